@@ -1,0 +1,44 @@
+// The seam that everything hangs on: what one eye does with a point of its pupil.
+//
+// Camera frame (Blender's): origin at the centre of the entrance pupil, looking along -Z, +X
+// right, +Y up *as the patient sees*. A slope is (dx, dy) per unit of forward travel, so it has
+// no unit and a pixel has a chief slope whatever the scene's scale. The same function serves the
+// picture and the analysis, so a PSF plot cannot disagree with a render.
+
+#pragma once
+
+#include "base/vector.h"
+#include "optics/power_matrix.h"
+
+#include <memory>
+
+namespace eye_render {
+
+// What became of a ray; a value, never an exception, because it is asked for once per sample.
+enum class RayFate { Transmitted, Vignetted, Missed, TotalReflection };
+
+struct EyeRay {
+    RayFate fate = RayFate::Transmitted;
+    V3d origin_eye_m{0.0};  // where the ray leaves the eye, metres, camera frame
+    V2d slope{0.0};         // object-space slope
+    double weight = 1.0;    // 0 unless Transmitted
+};
+
+class EyeModel {
+public:
+    virtual ~EyeModel() = default;
+
+    // The object-space ray of the pixel with chief slope `chief_slope` through the entrance-pupil
+    // point `pupil_point_m` (metres). Finite for all finite arguments.
+    [[nodiscard]] virtual EyeRay ray(const V2d& chief_slope,
+                                     const V2d& pupil_point_m,
+                                     double wavelength_nm) const = 0;
+
+    // K, the conjugate vergence of the retina in dioptres near the axis, camera frame: an object at
+    // distance x is blurred by E = K - I/x. Zero for a pinhole, which has no blur at all.
+    [[nodiscard]] virtual PowerMatrix retinal_conjugate_d() const = 0;
+
+    [[nodiscard]] virtual double pupil_diameter_m() const = 0;
+};
+
+}  // namespace eye_render
