@@ -25,6 +25,22 @@ struct BsdfSample {
     bool is_straight = false;
 };
 
-class Bsdf { /* lobes; see the adding functions */ };
+class Bsdf {
+public:
+    Bsdf() = default;
+
+    // Zero value and zero pdf where no lobe but a delta could send light.
+    [[nodiscard]] BsdfValue evaluate(const V3f& wi) const;
+
+    // `u_lobe` and both of `u` in [0, 1). Nothing if the light that was drawn is absorbed or
+    // would leave through the wrong side of the surface: the path ends.
+    [[nodiscard]] std::optional<BsdfSample> sample(float u_lobe, const V2f& u) const;
+
+    // Fraction of light that goes anywhere but straight through, by tables: approximate.
+    [[nodiscard]] Color3f albedo() const;
+
+    // True if next-event estimation has nothing to find: `evaluate` is zero everywhere.
+    [[nodiscard]] bool is_delta_only() const;
+};
 
 }  // namespace eye_render
