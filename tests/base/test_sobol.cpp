@@ -13,6 +13,26 @@
 namespace eye_render {
 namespace {
 
+TEST(Sobol, table_holds_the_published_sequence)
+{
+    // Points 1 to 7 of Joe & Kuo's first three dimensions, in the order of their binary index.
+    constexpr float expected[7][3] = {{0.5f, 0.5f, 0.5f},
+                                      {0.25f, 0.75f, 0.75f},
+                                      {0.75f, 0.25f, 0.25f},
+                                      {0.125f, 0.625f, 0.375f},
+                                      {0.625f, 0.125f, 0.875f},
+                                      {0.375f, 0.375f, 0.625f},
+                                      {0.875f, 0.875f, 0.125f}};
+    for (std::uint32_t i = 1; i <= 7; ++i) {
+        const std::uint32_t top_digit = detail::reverse_bits(i) >> 28;
+        for (std::size_t d = 0; d < 3; ++d) {
+            const std::uint32_t word = detail::reverse_bits(detail::sobol_table[7][top_digit][d]);
+            EXPECT_EQ(std::ldexp(float(word), -32), expected[i - 1][d])
+                << "point " << i << ", dimension " << d;
+        }
+    }
+}
+
 // How many of the 2^(a + b) boxes of 2^-a by 2^-b hold exactly one of the samples of one block.
 int boxes_with_one_sample(std::uint64_t key, unsigned group, unsigned block, int a, int b)
 {
