@@ -65,19 +65,19 @@ public:
 private:
     struct Cluster {
         LightKind kind = LightKind::Lamp;
-        bool is_distant = false;     // the environment and suns: importance is `intensity`
+        bool is_distant = false;  // the environment and suns: importance is `intensity`
         V3f center_world{0.0f};
-        float radius = 0.0f;         // of the sphere around all members
-        float intensity = 0.0f;      // sum over members, luminance
-        V3f axis{0.0f};              // direction of the light; zero when it shines all around
-        float cos_edge = -1.0f;      // beyond this angle from the axis nothing is emitted
-        std::uint32_t first = 0;     // members: [first, first + count) of entries_
+        float radius = 0.0f;      // of the sphere around all members
+        float intensity = 0.0f;   // sum over members, luminance
+        V3f axis{0.0f};           // direction of the light; zero when it shines all around
+        float cos_edge = -1.0f;   // beyond this angle from the axis nothing is emitted
+        std::uint32_t first = 0;  // members: [first, first + count) of entries_
         std::uint32_t count = 0;
     };
     // A column of the cluster's alias table, and the probability of member `light` in it.
     struct Entry {
         std::uint32_t light = 0;
-        std::uint32_t alias = 0;     // index into entries_
+        std::uint32_t alias = 0;  // index into entries_
         float keep = 1.0f;
         float probability = 0.0f;
     };

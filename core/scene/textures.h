@@ -59,7 +59,9 @@ public:
     // warning; pixels whose count does not fit their size throw std::invalid_argument.
     int add_file(const std::string& path, const TextureOptions& options);
     int add_pixels(const std::string& name, const PixelsU8& pixels, const TextureOptions& options);
-    int add_pixels(const std::string& name, const PixelsF32& pixels, const TextureOptions& options);
+    int add_pixels(const std::string& name,
+                   const PixelsF32& pixels,
+                   const TextureOptions& options);
 
     // Safe from any number of threads once everything is added. Finite for finite files and uv;
     // an index that was never given out, or uv that is not finite, gives magenta.
