@@ -63,17 +63,14 @@ constexpr std::uint32_t table_word(const Columns& columns, unsigned digit, unsig
 
 constexpr SobolTable make_table()
 {
-    const std::array<Columns, 4> columns{generator_columns(0),
-                                         generator_columns(1),
-                                         generator_columns(2),
-                                         generator_columns(3)};
+    const std::array<Columns, 4> columns{generator_columns(0), generator_columns(1),
+                                         generator_columns(2), generator_columns(3)};
     SobolTable table{};
     for (unsigned digit = 0; digit < 8; ++digit) {
         for (unsigned value = 0; value < 16; ++value) {
-            table[digit][value] = Lanes{table_word(columns[0], digit, value),
-                                        table_word(columns[1], digit, value),
-                                        table_word(columns[2], digit, value),
-                                        table_word(columns[3], digit, value)};
+            table[digit][value] =
+                Lanes{table_word(columns[0], digit, value), table_word(columns[1], digit, value),
+                      table_word(columns[2], digit, value), table_word(columns[3], digit, value)};
         }
     }
     return table;

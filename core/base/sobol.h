@@ -77,14 +77,13 @@ template <typename Bits>
     const std::uint64_t h = detail::mix_bits(key + golden * (group + std::uint64_t{1}));
     const std::uint64_t h01 = detail::mix_bits(h + golden);
     const std::uint64_t h23 = detail::mix_bits(h - golden);
-    const detail::Lanes seeds{static_cast<std::uint32_t>(h01),
-                              static_cast<std::uint32_t>(h01 >> 32),
-                              static_cast<std::uint32_t>(h23),
-                              static_cast<std::uint32_t>(h23 >> 32)};
+    const detail::Lanes seeds{
+        static_cast<std::uint32_t>(h01), static_cast<std::uint32_t>(h01 >> 32),
+        static_cast<std::uint32_t>(h23), static_cast<std::uint32_t>(h23 >> 32)};
 
     // Table and hash both work on reversed bits, so only the ends of the chain are reversed.
-    const std::uint32_t index = detail::scramble_reversed(detail::reverse_bits(sample),
-                                                          static_cast<std::uint32_t>(h));
+    const std::uint32_t index =
+        detail::scramble_reversed(detail::reverse_bits(sample), static_cast<std::uint32_t>(h));
     detail::Lanes bits{};
     for (std::size_t digit = 0; digit < 8; ++digit) {
         bits ^= detail::sobol_table[digit][(index >> (4 * digit)) & 15u];

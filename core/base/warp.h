@@ -76,8 +76,7 @@ namespace eye_render {
         return {0.5f, 0.5f};
     }
     // 1 - z, without its cancellation near the pole.
-    const float height =
-        direction.z > 0.0f ? sin2 / (1.0f + direction.z) : 1.0f - direction.z;
+    const float height = direction.z > 0.0f ? sin2 / (1.0f + direction.z) : 1.0f - direction.z;
     const float radius = std::min(1.0f, std::sqrt(height / one_minus_cos));
     const float scale = sin2 > 0.0f ? radius / std::sqrt(sin2) : 0.0f;
     return invert_uniform_disk(sin2 > 0.0f ? V2f(direction.x * scale, direction.y * scale)

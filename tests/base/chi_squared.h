@@ -49,7 +49,8 @@ struct ChiSquared {
     }
     const double freedom = cells - 1;
     const double c = 2.0 / (9.0 * freedom);
-    result.critical = freedom * std::pow(1.0 - c + upper_normal_quantile(significance) * std::sqrt(c), 3);
+    result.critical =
+        freedom * std::pow(1.0 - c + upper_normal_quantile(significance) * std::sqrt(c), 3);
     return result;
 }
 

@@ -16,12 +16,9 @@ namespace {
 TEST(Sobol, table_holds_the_published_sequence)
 {
     // Points 1 to 7 of Joe & Kuo's first three dimensions, in the order of their binary index.
-    constexpr float expected[7][3] = {{0.5f, 0.5f, 0.5f},
-                                      {0.25f, 0.75f, 0.75f},
-                                      {0.75f, 0.25f, 0.25f},
-                                      {0.125f, 0.625f, 0.375f},
-                                      {0.625f, 0.125f, 0.875f},
-                                      {0.375f, 0.375f, 0.625f},
+    constexpr float expected[7][3] = {{0.5f, 0.5f, 0.5f},       {0.25f, 0.75f, 0.75f},
+                                      {0.75f, 0.25f, 0.25f},    {0.125f, 0.625f, 0.375f},
+                                      {0.625f, 0.125f, 0.875f}, {0.375f, 0.375f, 0.625f},
                                       {0.875f, 0.875f, 0.125f}};
     for (std::uint32_t i = 1; i <= 7; ++i) {
         const std::uint32_t top_digit = detail::reverse_bits(i) >> 28;

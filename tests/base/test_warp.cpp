@@ -42,8 +42,7 @@ std::vector<Shape> shapes()
 {
     const auto uniform_cone = [](float one_minus_cos) {
         return cone_shape(
-            "cone " + std::to_string(one_minus_cos),
-            one_minus_cos,
+            "cone " + std::to_string(one_minus_cos), one_minus_cos,
             [=](const V2f& u) { return sample_uniform_cone(u, one_minus_cos); },
             [=](float) { return uniform_cone_pdf(one_minus_cos); });
     };
@@ -55,14 +54,10 @@ std::vector<Shape> shapes()
          },
          [](double s, double) { return uniform_disk_pdf() * s * 2.0 * pi; }},
         cone_shape(
-            "sphere",
-            2.0f,
-            [](const V2f& u) { return sample_uniform_sphere(u); },
+            "sphere", 2.0f, [](const V2f& u) { return sample_uniform_sphere(u); },
             [](float) { return uniform_sphere_pdf(); }),
         cone_shape(
-            "cosine hemisphere",
-            1.0f,
-            [](const V2f& u) { return sample_cosine_hemisphere(u); },
+            "cosine hemisphere", 1.0f, [](const V2f& u) { return sample_cosine_hemisphere(u); },
             [](float z) { return cosine_hemisphere_pdf(z); }),
         uniform_cone(0.7f),
         uniform_cone(1.5f),
@@ -114,7 +109,8 @@ TEST(Warp, samples_follow_their_density)
                 expected[std::size_t(i * cells_t + j)] = count * integral_over_cell(shape, i, j);
             }
         }
-        const auto [statistic, critical] = test::chi_squared_test(observed, expected, significance);
+        const auto [statistic, critical] =
+            test::chi_squared_test(observed, expected, significance);
         EXPECT_LT(statistic, critical) << shape.name;
     }
 }
@@ -155,7 +151,8 @@ TEST(Warp, inverses_return_the_square)
                    [](V2f u) { return invert_uniform_triangle(sample_uniform_triangle(u)); });
     expect_inverse("hemisphere",
                    [](V2f u) { return invert_cosine_hemisphere(sample_cosine_hemisphere(u)); });
-    expect_inverse("sphere", [](V2f u) { return invert_uniform_sphere(sample_uniform_sphere(u)); });
+    expect_inverse("sphere",
+                   [](V2f u) { return invert_uniform_sphere(sample_uniform_sphere(u)); });
     for (const float one_minus_cos : {1e-5f, 0.1f, 1.0f, 1.9f}) {
         expect_inverse("cone", [=](V2f u) {
             return invert_uniform_cone(sample_uniform_cone(u, one_minus_cos), one_minus_cos);

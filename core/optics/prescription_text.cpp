@@ -1,0 +1,214 @@
+// The grammar over the tokens: [eye] sphere [cylinder axis] [add].
+
+#include "optics/prescription_text.h"
+
+#include "base/error.h"
+#include "optics/prescription_tokens.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <vector>
+
+namespace eye_render {
+
+namespace {
+
+using Kind = PrescriptionToken::Kind;
+
+constexpr std::string_view example = "-2.00DS -0.75DC 160A";
+
+[[noreturn]] void fail_syntax(const std::string& sentence)
+{
+    throw PrescriptionError(PrescriptionErrorCode::Syntax,
+                            sentence + "; write for example " + std::string(example));
+}
+
+std::string as_typed(const PrescriptionToken& token)
+{
+    return token.sign != 0 ? token.sign + token.text : token.text;
+}
+
+// A power is refused beyond its range, and when it looks like one with an implied decimal point:
+// "-075" is how some write -0.75, and nobody writes so of 75 dioptres.
+double checked_power(std::string_view name,
+                     const PrescriptionToken& number,
+                     double minimum_d,
+                     double maximum_d)
+{
+    const bool implied_point =
+        number.text.size() > 2 && number.text.find('.') == std::string::npos;
+    if (implied_point || !(number.value >= minimum_d && number.value <= maximum_d)) {
+        throw PrescriptionError(PrescriptionErrorCode::PowerRange,
+                                std::string(name) + " is " + as_typed(number) + " D; expected " +
+                                    number_text(minimum_d) + " to " + number_text(maximum_d) +
+                                    " D, with its decimal point, as in -2.00");
+    }
+    return number.value;
+}
+
+class Parser {
+public:
+    explicit Parser(std::string_view text) : tokens_(prescription_tokens(text)) {}
+
+    Prescription parse()
+    {
+        refuse_prism();
+        Prescription rx{.eye = take_eye()};
+        rx.sphere_d = take_sphere();
+        const bool announced = take_mark("/");
+        if (!announced || !take_word({"ds", "sph", "sphere"})) {
+            take_cylinder(rx, announced);
+        }
+        if (take_word({"add"})) {
+            rx.add_d = checked_power("add_d", take_number("an addition"), 0.0, max_add_d);
+            take_word({"d", "ds"});
+        }
+        if (next_ < tokens_.size()) {
+            fail_syntax("cannot read '" + as_typed(tokens_[next_]) +
+                        "' at the end of the prescription");
+        }
+        return rx;
+    }
+
+private:
+    void refuse_prism() const
+    {
+        for (const PrescriptionToken& token : tokens_) {
+            for (const std::string_view prism :
+                 {"\u0394", "^", "pd", "prism", "bu", "bd", "bi", "bo"}) {
+                if (token.kind != Kind::Number && token.text == prism) {
+                    throw PrescriptionError(
+                        PrescriptionErrorCode::Syntax,
+                        "prism is not supported yet: leave it out of the prescription");
+                }
+            }
+        }
+    }
+
+    EyeSide take_eye()
+    {
+        if (take_word({"od", "re", "r", "right"})) {
+            return EyeSide::Right;
+        }
+        if (take_word({"os", "le", "l", "left"})) {
+            return EyeSide::Left;
+        }
+        if (take_word({"ou", "be", "both"})) {
+            return EyeSide::Both;
+        }
+        return EyeSide::Unspecified;
+    }
+
+    double take_sphere()
+    {
+        take_word({"sph", "sphere", "s"});
+        if (take_word({"plano", "pl"})) {
+            take_word({"ds", "sph", "sphere"});
+            return 0.0;
+        }
+        const double sphere_d =
+            checked_power("sphere_d", take_number("a sphere"), -max_sphere_d, max_sphere_d);
+        take_word({"ds", "d", "s", "sph", "sphere"});
+        return sphere_d;
+    }
+
+    // Cylinder and axis; nothing at all unless a slash has announced them.
+    void take_cylinder(Prescription& rx, bool announced)
+    {
+        const bool labelled = take_word({"cyl", "cylinder", "c"});
+        if (!announced && !labelled && !next_is(Kind::Number)) {
+            return;
+        }
+        const PrescriptionToken& cylinder = take_number("a cylinder");
+        if (cylinder.sign == 0) {
+            fail_syntax("the cylinder " + cylinder.text + " needs its sign, + or -");
+        }
+        const double cylinder_d =
+            checked_power("cylinder_d", cylinder, -max_cylinder_d, max_cylinder_d);
+        take_word({"dc", "d", "c", "cyl"});
+        take_mark("/");
+        const bool has_axis = take_axis(rx);
+        if (cylinder_d == 0.0) {
+            rx.axis_deg = Prescription{}.axis_deg;
+            return;
+        }
+        if (!has_axis) {
+            throw PrescriptionError(PrescriptionErrorCode::AxisMissing,
+                                    "the cylinder " + as_typed(cylinder) +
+                                        " needs its axis, 0 to 180; write for example " +
+                                        std::string(example));
+        }
+        rx.cylinder_d = cylinder_d;
+    }
+
+    bool take_axis(Prescription& rx)
+    {
+        const bool marked = take_word({"x", "ax", "axis"}) || take_mark("@") || take_mark("*");
+        if (!marked && !next_is(Kind::Number)) {
+            return false;
+        }
+        const PrescriptionToken& axis = take_number("an axis");
+        const bool suffixed = take_word({"a", "deg", "degrees"}) || take_mark("\u00b0");
+        // Without any mark only a whole number is surely an axis: 2.00 could be an addition.
+        if (!marked && !suffixed && (axis.sign != 0 || axis.text.find('.') != std::string::npos)) {
+            fail_syntax("cannot tell whether " + axis.text + " is an axis");
+        }
+        if (!(axis.value >= 0.0 && axis.value <= 180.0)) {
+            throw PrescriptionError(PrescriptionErrorCode::AxisRange, "axis_deg is " +
+                                                                          number_text(axis.value) +
+                                                                          "; expected 0 to 180");
+        }
+        rx.axis_deg = normalized_axis_deg(axis.value);
+        return true;
+    }
+
+    [[nodiscard]] bool next_is(Kind kind) const
+    {
+        return next_ < tokens_.size() && tokens_[next_].kind == kind;
+    }
+
+    bool take_word(std::initializer_list<std::string_view> words)
+    {
+        const bool found = next_is(Kind::Word) && std::find(words.begin(), words.end(),
+                                                            tokens_[next_].text) != words.end();
+        next_ += found ? 1 : 0;
+        return found;
+    }
+
+    bool take_mark(std::string_view mark)
+    {
+        const bool found = next_is(Kind::Mark) && tokens_[next_].text == mark;
+        next_ += found ? 1 : 0;
+        return found;
+    }
+
+    const PrescriptionToken& take_number(const std::string& what)
+    {
+        if (!next_is(Kind::Number)) {
+            fail_syntax(next_ < tokens_.size()
+                            ? "cannot read '" + as_typed(tokens_[next_]) + "' as " + what
+                            : what + " is missing at the end of the prescription");
+        }
+        return tokens_[next_++];
+    }
+
+    std::vector<PrescriptionToken> tokens_;
+    std::size_t next_ = 0;
+};
+
+}  // namespace
+
+std::string_view to_string(PrescriptionErrorCode code)
+{
+    switch (code) {
+    case PrescriptionErrorCode::Syntax: return "syntax";
+    case PrescriptionErrorCode::AxisMissing: return "axis_missing";
+    case PrescriptionErrorCode::AxisRange: return "axis_range";
+    case PrescriptionErrorCode::PowerRange: return "power_range";
+    }
+    return "";
+}
+
+Prescription parse_prescription(std::string_view text) { return Parser(text).parse(); }
+
+}  // namespace eye_render
