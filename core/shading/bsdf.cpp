@@ -1,25 +1,83 @@
+// The mixture: lobes are chosen in proportion to their albedo, and densities are summed over them.
+
 #include "shading/bsdf.h"
+
+#include <algorithm>
+#include <cstddef>
 
 namespace eye_render {
 
-BsdfValue Bsdf::evaluate(const V3f&) const
+namespace {
+
+// The largest float below 1.
+constexpr float below_one = 0x1.fffffep-1f;
+
+}  // namespace
+
+void Bsdf::add(const Lobe& lobe, const Color3f& albedo)
 {
-    return {};
+    const float importance = (albedo.x + albedo.y + albedo.z) / 3.0f;
+    if (!(importance > 0.0f)) {
+        return;
+    }
+    const bool is_delta = lobe.is_delta();
+    const auto i = static_cast<std::size_t>(count_++);
+    lobes_[i] = lobe;
+    shares_[i] = {importance, is_delta};
+    importance_ += importance;
+    has_finite_lobe_ |= !is_delta;
+    if (lobe.kind != LobeKind::Straight) {
+        albedo_ += albedo;
+    }
 }
 
-std::optional<BsdfSample> Bsdf::sample(float, const V2f&) const
+BsdfValue Bsdf::evaluate(const V3f& wi) const
 {
-    return std::nullopt;
+    BsdfValue sum;
+    const float side = ng_.dot(wi);
+    if (!has_finite_lobe_ || side == 0.0f) {
+        return sum;
+    }
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        if (shares_[i].is_delta) {
+            continue;
+        }
+        const BsdfValue one = eye_render::evaluate(lobes_[i], wo_, wi, side < 0.0f);
+        sum.value += one.value;
+        sum.pdf += one.pdf * shares_[i].importance;
+    }
+    sum.pdf /= importance_;
+    return sum;
 }
 
-Color3f Bsdf::albedo() const
+std::optional<BsdfSample> Bsdf::sample(float u_lobe, const V2f& u) const
 {
-    return Color3f(0.0f);
-}
+    if (count_ == 0) {
+        return std::nullopt;
+    }
 
-bool Bsdf::is_delta_only() const
-{
-    return true;
+    // Choose a lobe and stretch what is left of u_lobe over [0, 1) again.
+    float rest = u_lobe * importance_;
+    std::size_t i = 0;
+    while (i + 1 < static_cast<std::size_t>(count_) && rest >= shares_[i].importance) {
+        rest -= shares_[i++].importance;
+    }
+    const Share& share = shares_[i];
+    const float u_choice = std::clamp(rest / share.importance, 0.0f, below_one);
+
+    const std::optional<LobeSample> drawn = eye_render::sample(lobes_[i], wo_, u_choice, u);
+    if (!drawn || drawn->is_transmitted != (ng_.dot(drawn->wi) < 0.0f)) {
+        return std::nullopt;
+    }
+    if (share.is_delta) {
+        const Color3f weight = drawn->delta_weight * (importance_ / share.importance);
+        return BsdfSample{drawn->wi, weight, 0.0f, true, lobes_[i].kind == LobeKind::Straight};
+    }
+    const BsdfValue mixture = evaluate(drawn->wi);
+    if (!(mixture.pdf > 0.0f)) {
+        return std::nullopt;
+    }
+    return BsdfSample{drawn->wi, mixture.value / mixture.pdf, mixture.pdf};
 }
 
 }  // namespace eye_render

@@ -1,25 +1,25 @@
 // A mixture of scattering lobes at one hit, built on the stack per hit and sampled as one
 // distribution. World space, all directions unit and pointing away from the surface; radiance
 // flows from wi to wo. Probabilities are per unit solid angle.
+//
+// Reflected light is on the viewer's side of the geometric normal and transmitted light on the
+// other; a direction on which the geometric and a lobe's shading normal disagree carries none.
 
 #pragma once
 
 #include "base/vector.h"
+#include "shading/lobe.h"
 
 #include <array>
 #include <optional>
 
 namespace eye_render {
 
-struct BsdfValue {
-    Color3f value{0.0f};  // f(wo, wi) |cos(ns, wi)|, delta lobes left out
-    float pdf = 0.0f;     // of `sample` choosing wi, delta lobes left out
-};
-
 struct BsdfSample {
     V3f wi;
-    Color3f weight;        // f |cos| / pdf of the whole mixture; for a delta lobe, of that lobe over its probability
-    float pdf = 0.0f;      // of the whole mixture; 0 for a delta lobe
+    Color3f weight;  // f |cos| / pdf of the whole mixture; for a delta lobe, of that lobe over its
+                     // probability
+    float pdf = 0.0f;  // of the whole mixture; 0 for a delta lobe
     bool is_delta = false;
     // Passed straight through, as if the surface were not there: not a bounce.
     bool is_straight = false;
@@ -27,20 +27,44 @@ struct BsdfSample {
 
 class Bsdf {
 public:
+    // Scatters nothing.
     Bsdf() = default;
+    // dot(wo, ng) > 0.
+    Bsdf(const V3f& wo, const V3f& ng) : wo_(wo), ng_(ng) {}
 
-    // Zero value and zero pdf where no lobe but a delta could send light.
+    // `albedo` is what the lobe does with light from all around, and decides how often it is
+    // sampled: it may be approximate, but zero only where the lobe is. A lobe without is left out.
+    void add(const Lobe& lobe, const Color3f& albedo);
+
     [[nodiscard]] BsdfValue evaluate(const V3f& wi) const;
 
     // `u_lobe` and both of `u` in [0, 1). Nothing if the light that was drawn is absorbed or
     // would leave through the wrong side of the surface: the path ends.
     [[nodiscard]] std::optional<BsdfSample> sample(float u_lobe, const V2f& u) const;
 
-    // Fraction of light that goes anywhere but straight through, by tables: approximate.
-    [[nodiscard]] Color3f albedo() const;
+    // Fraction of light that goes anywhere but straight through: approximate.
+    [[nodiscard]] Color3f albedo() const { return albedo_; }
 
     // True if next-event estimation has nothing to find: `evaluate` is zero everywhere.
-    [[nodiscard]] bool is_delta_only() const;
+    [[nodiscard]] bool is_delta_only() const { return !has_finite_lobe_; }
+
+private:
+    // Principled at its fullest: straight, metal, glass, dielectric, diffuse.
+    static constexpr int capacity = 5;
+
+    struct Share {
+        float importance;
+        bool is_delta;
+    };
+
+    V3f wo_{0.0f};
+    V3f ng_{0.0f};
+    Color3f albedo_{0.0f};
+    float importance_ = 0.0f;
+    int count_ = 0;
+    bool has_finite_lobe_ = false;
+    std::array<Share, capacity> shares_;
+    std::array<Lobe, capacity> lobes_;
 };
 
 }  // namespace eye_render

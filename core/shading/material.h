@@ -55,7 +55,7 @@ struct Material {
 };
 
 struct TangentFrame {
-    V3f tangent{0.0f};          // d(position)/du, normalised, world space; zero if the map is degenerate
+    V3f tangent{0.0f};  // d(position)/du, normalised, world space; zero if the map is degenerate
     float bitangent_sign = 1.0f;  // B = sign * cross(N, T)
 };
 
@@ -73,9 +73,9 @@ public:
 
 // World-space geometry of a hit, already turned to the viewer: dot(wo, ng) > 0.
 struct ShadingPoint {
-    V3f wo;  // unit, towards where the ray came from
-    V3f ng;  // unit geometric normal
-    V3f ns;  // unit interpolated normal
+    V3f wo;                   // unit, towards where the ray came from
+    V3f ng;                   // unit geometric normal
+    V3f ns;                   // unit interpolated normal
     bool backfacing = false;  // the ray hit the side that the mesh's winding calls its back
 };
 
