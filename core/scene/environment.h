@@ -2,8 +2,8 @@
 //
 // The picture is laid out as in Blender: u = 1/2 - atan2(y, x) / 2 pi, v = 1/2 + asin(z) / pi
 // with v = 1 at the zenith (+Z), so its centre is seen along +X. A picture is importance sampled
-// by a piecewise constant table of luminance times the cosine of latitude (Pharr, Jakob and
-// Humphreys, Physically Based Rendering, 12.5); a constant world by the uniform sphere.
+// by a piecewise constant table of luminance times solid angle (Pharr, Jakob and Humphreys,
+// Physically Based Rendering, 12.5); a constant world by the uniform sphere.
 // Directions are unit, world space, and point away from the scene. Probabilities are per unit
 // solid angle.
 
@@ -35,7 +35,9 @@ struct EnvironmentSample {
 class Environment {
 public:
     Environment() = default;  // black
-    // Keeps a pointer to `textures`, which may be null without a texture.
+    // Keeps a pointer to `textures`, which may be null without a texture. Throws
+    // std::invalid_argument for light that is negative or infinite, or a matrix that is no
+    // rotation.
     Environment(const EnvironmentSettings& settings, const TextureSet* textures);
 
     [[nodiscard]] Color3f radiance(const V3f& direction) const;

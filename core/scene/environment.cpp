@@ -1,0 +1,208 @@
+#include "scene/environment.h"
+
+#include "base/error.h"
+#include "base/warp.h"
+#include "scene/textures.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace eye_render {
+
+namespace {
+
+constexpr float pi_f = std::numbers::pi_v<float>;
+constexpr float largest = std::numeric_limits<float>::max();
+
+// A finer table costs memory and cache misses and hardly finds the sun any better.
+constexpr int table_max_width = 1024;
+
+// Share of the samples that go uniformly over the sphere: what the table rounds to nothing (a
+// dim sky beside a sun 10^8 times brighter) keeps a density, and weights stay bounded.
+constexpr float uniform_share = 0.05f;
+
+V2f uv_from_direction(const V3f& d)
+{
+    return {0.5f - std::atan2(d.y, d.x) / (2.0f * pi_f),
+            0.5f + std::atan2(d.z, std::hypot(d.x, d.y)) / pi_f};
+}
+
+// Sine of the latitude at the lower edge of a row of the table.
+float row_edge_z(int row, int rows)
+{
+    return std::sin(pi_f * (static_cast<float>(row) / static_cast<float>(rows) - 0.5f));
+}
+
+// A picture may hold anything; light is neither negative nor infinite nor NaN.
+Color3f physical(const Color3f& c)
+{
+    const auto component = [](float x) { return x > 0.0f && x <= largest ? x : 0.0f; };
+    return {component(c.x), component(c.y), component(c.z)};
+}
+
+// Turns weights into probabilities that add up: cdf[0] = 0, cdf[n] = 1. Returns the sum.
+double accumulate(const float* weights, int n, float* cdf)
+{
+    double sum = 0.0;
+    for (int i = 0; i < n; ++i) {
+        sum += static_cast<double>(weights[i]);
+    }
+    double running = 0.0;
+    for (int i = 0; i < n; ++i) {
+        cdf[i] = sum > 0.0 ? static_cast<float>(running / sum)
+                           : static_cast<float>(i) / static_cast<float>(n);
+        running += static_cast<double>(weights[i]);
+    }
+    cdf[n] = 1.0f;
+    return sum;
+}
+
+struct Cell {
+    int index = 0;
+    float probability = 0.0f;
+    float offset = 0.0f;  // of u within the cell, 0 to 1
+};
+
+Cell find_cell(const float* cdf, int n, float u)
+{
+    const float* above = std::upper_bound(cdf + 1, cdf + n, u);
+    const int index = static_cast<int>(above - cdf) - 1;
+    const float probability = cdf[index + 1] - cdf[index];
+    const float offset = probability > 0.0f ? (u - cdf[index]) / probability : 0.5f;
+    return {index, probability, std::clamp(offset, 0.0f, 1.0f)};
+}
+
+}  // namespace
+
+Environment::Environment(const EnvironmentSettings& settings, const TextureSet* textures)
+    : settings_(settings), world_from_texture_(settings.texture_from_world.transposed()),
+      textures_(textures)
+{
+    require_range("world strength", settings.strength, 0.0, largest, "");
+    for (int i = 0; i < 3; ++i) {
+        require_range("world color", settings.color[i], 0.0, largest, "");
+    }
+    const M33f should_be_identity = settings.texture_from_world * world_from_texture_;
+    if (!should_be_identity.equalWithAbsError(M33f(), 1e-3f)) {
+        throw std::invalid_argument("world rotation is not a rotation matrix");
+    }
+    if (settings.strength == 0.0f) {
+        return;
+    }
+    if (settings.texture == EnvironmentSettings::none) {
+        mean_luminance_ = settings.strength * luminance(settings.color);
+    } else {
+        build_table();
+    }
+}
+
+void Environment::build_table()
+{
+    const LinearPixels picture = textures_->load_linear_pixels(settings_.texture, table_max_width);
+    const int width = picture.width;
+    const int height = picture.height;
+    const auto luminance_at = [&](int x, int y) {
+        const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                           static_cast<std::size_t>(x);
+        return luminance(physical(picture.rgb[index]));
+    };
+    // A cell gets the mean of the picture as it is looked up. Bilinear interpolation spreads each
+    // pixel: its integral over a cell has the weights 1/8, 6/8, 1/8 along either axis.
+    const auto spread_luminance = [&](int x, int y) {
+        constexpr float weight[3] = {0.125f, 0.75f, 0.125f};
+        float sum = 0.0f;
+        for (int j = 0; j < 3; ++j) {
+            const int row = std::clamp(y + j - 1, 0, height - 1);
+            for (int i = 0; i < 3; ++i) {
+                sum += weight[i] * weight[j] * luminance_at((x + i - 1 + width) % width, row);
+            }
+        }
+        return sum;
+    };
+
+    const auto stride = static_cast<std::size_t>(width) + 1;
+    cell_cdf_.resize(stride * static_cast<std::size_t>(height));
+    row_cdf_.resize(static_cast<std::size_t>(height) + 1);
+    std::vector<float> row_weights(static_cast<std::size_t>(height));
+    tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
+        std::vector<float> weights(static_cast<std::size_t>(width));
+        for (int y = rows.begin(); y != rows.end(); ++y) {
+            for (int x = 0; x < width; ++x) {
+                weights[static_cast<std::size_t>(x)] = spread_luminance(x, y);
+            }
+            const double sum = accumulate(weights.data(), width,
+                                          &cell_cdf_[stride * static_cast<std::size_t>(y)]);
+            const float solid_angle = 2.0f * pi_f / static_cast<float>(width) *
+                                      (row_edge_z(y + 1, height) - row_edge_z(y, height));
+            row_weights[static_cast<std::size_t>(y)] = static_cast<float>(sum) * solid_angle;
+        }
+    });
+    const double total = accumulate(row_weights.data(), height, row_cdf_.data());
+    mean_luminance_ = settings_.strength * static_cast<float>(total) / (4.0f * pi_f);
+    table_width_ = width;
+    table_height_ = height;
+}
+
+Color3f Environment::radiance(const V3f& direction) const
+{
+    if (settings_.texture == EnvironmentSettings::none) {
+        return settings_.color * settings_.strength;
+    }
+    const Color4f texel = textures_->lookup(
+        settings_.texture, uv_from_direction(direction * settings_.texture_from_world));
+    return physical(Color3f(texel.r, texel.g, texel.b) * settings_.strength);
+}
+
+EnvironmentSample Environment::sample(const V2f& u) const
+{
+    if (!has_table()) {
+        const V3f wi = sample_uniform_sphere(u);
+        return {wi, radiance(wi), uniform_sphere_pdf()};
+    }
+    V3f wi;
+    if (u.x < uniform_share) {
+        wi = sample_uniform_sphere({u.x / uniform_share, u.y});
+    } else {
+        const float ux = (u.x - uniform_share) / (1.0f - uniform_share);
+        const Cell row = find_cell(row_cdf_.data(), table_height_, u.y);
+        const auto stride = static_cast<std::size_t>(table_width_) + 1;
+        const Cell cell =
+            find_cell(&cell_cdf_[stride * static_cast<std::size_t>(row.index)], table_width_, ux);
+        // Uniform within the cell by solid angle: in longitude and in the sine of latitude.
+        const float z0 = row_edge_z(row.index, table_height_);
+        const float z1 = row_edge_z(row.index + 1, table_height_);
+        const float z = z0 + row.offset * (z1 - z0);
+        const float across = std::sqrt(std::max(0.0f, 1.0f - z * z));
+        const float phi = pi_f - 2.0f * pi_f * (static_cast<float>(cell.index) + cell.offset) /
+                                     static_cast<float>(table_width_);
+        wi = V3f(across * std::cos(phi), across * std::sin(phi), z) * world_from_texture_;
+    }
+    return {wi, radiance(wi), pdf(wi)};
+}
+
+float Environment::pdf(const V3f& direction) const
+{
+    if (!has_table()) {
+        return uniform_sphere_pdf();
+    }
+    const V2f uv = uv_from_direction(direction * settings_.texture_from_world);
+    const auto cell_index = [](float x, int n) {
+        return std::clamp(static_cast<int>(x * static_cast<float>(n)), 0, n - 1);
+    };
+    const int x = cell_index(uv.x, table_width_);
+    const int y = cell_index(uv.y, table_height_);
+    const auto row = static_cast<std::size_t>(y);
+    const float* cells = &cell_cdf_[(static_cast<std::size_t>(table_width_) + 1) * row];
+    const float probability = (row_cdf_[row + 1] - row_cdf_[row]) * (cells[x + 1] - cells[x]);
+    const float solid_angle = 2.0f * pi_f / static_cast<float>(table_width_) *
+                              (row_edge_z(y + 1, table_height_) - row_edge_z(y, table_height_));
+    return uniform_share * uniform_sphere_pdf() +
+           (1.0f - uniform_share) * probability / solid_angle;
+}
+
+}  // namespace eye_render

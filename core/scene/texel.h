@@ -1,0 +1,71 @@
+// Arithmetic on texels: channels, alpha, the sRGB curve and texture coordinates.
+
+#pragma once
+
+#include "scene/textures.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace eye_render {
+
+// IEC 61966-2-1; values above 1 follow the same curve.
+[[nodiscard]] inline float linear_from_srgb(float c)
+{
+    return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+// Multiplies alpha into the encoded colour of RGBA pixels; whole numbers are rounded down, as
+// Cycles does.
+inline void associate(std::uint8_t* rgba, std::size_t pixels)
+{
+    for (std::uint8_t* p = rgba; p != rgba + 4 * pixels; p += 4) {
+        for (int c = 0; c < 3; ++c) {
+            p[c] = static_cast<std::uint8_t>(p[c] * p[3] / 255);
+        }
+    }
+}
+
+inline void associate(float* rgba, std::size_t pixels)
+{
+    for (float* p = rgba; p != rgba + 4 * pixels; p += 4) {
+        for (int c = 0; c < 3; ++c) {
+            p[c] *= p[3];
+        }
+    }
+}
+
+// From `channels` interleaved values to RGBA: grey is spread out, missing alpha is opaque.
+template <typename T>
+void expand_to_rgba(const T* in, int channels, T opaque, T* out, std::size_t pixels)
+{
+    const bool gray = channels < 3;
+    const int alpha = channels == 2 ? 1 : channels > 3 ? 3 : -1;
+    for (std::size_t i = 0; i < pixels; ++i, in += channels, out += 4) {
+        for (int c = 0; c < 3; ++c) {
+            out[c] = in[gray ? 0 : c];
+        }
+        out[3] = alpha < 0 ? opaque : in[alpha];
+    }
+}
+
+// How much of the interpolation's footprint lies on an axis of `size` texels, at `x` texels.
+[[nodiscard]] inline float coverage(float x, int size, Interpolation interpolation)
+{
+    const auto width = static_cast<float>(size);
+    if (interpolation == Interpolation::Closest) {
+        return x >= 0.0f && x < width ? 1.0f : 0.0f;
+    }
+    return std::clamp(x + 0.5f, 0.0f, 1.0f) * std::clamp(width + 0.5f - x, 0.0f, 1.0f);
+}
+
+// Brings a texture coordinate to where float can still tell texels apart, without changing what is
+// seen.
+[[nodiscard]] inline float reduce_coordinate(float x, Extension extension)
+{
+    return extension == Extension::Repeat ? x - std::floor(x) : std::clamp(x, -1.0f, 2.0f);
+}
+
+}  // namespace eye_render
