@@ -1,0 +1,100 @@
+"""What differs between Blender 3.4 and 5.2, and nothing else looks at versions."""
+
+import bpy
+import numpy as np
+
+
+def uses_nodes(datablock: bpy.types.ID) -> bool:
+    """True if material or world is shaded by its node tree; from Blender 5.0 it always is."""
+    if bpy.app.version >= (5, 0, 0):
+        return datablock.node_tree is not None
+    return datablock.use_nodes and datablock.node_tree is not None
+
+
+def inline_shader_nodes(datablock: bpy.types.ID) -> object:
+    """An object whose `node_tree` has node groups flattened, where Blender can do so.
+
+    The caller keeps the object for as long as it reads the tree: it owns the tree.
+    """
+    if hasattr(datablock, "inline_shader_nodes"):
+        return datablock.inline_shader_nodes()
+    return datablock
+
+
+def world_of(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bpy.types.World | None:
+    return getattr(view_layer, "world_override", None) or scene.world
+
+
+def light_factor(light: bpy.types.Light) -> tuple[np.ndarray, bool]:
+    """What newer lights multiply their colour by, and whether energy is spread over their area."""
+    factor = np.full(3, 2.0 ** getattr(light, "exposure", 0.0))
+    if getattr(light, "use_temperature", False):
+        factor *= np.array(light.temperature_color)
+    return factor, getattr(light, "normalize", True)
+
+
+def draw_light_extras(layout: bpy.types.UILayout, light: bpy.types.Light) -> None:
+    """Rows for what `light_factor` reads."""
+    if hasattr(light, "exposure"):
+        layout.prop(light, "exposure")
+        layout.prop(light, "normalize")
+    if hasattr(light, "use_temperature"):
+        layout.prop(light, "use_temperature")
+        if light.use_temperature:
+            layout.prop(light, "temperature")
+
+
+def vertex_positions(mesh: bpy.types.Mesh) -> np.ndarray:
+    positions = np.empty((len(mesh.vertices), 3), np.float32)
+    attribute = mesh.attributes.get("position")  # from Blender 3.5, at memcpy speed
+    if attribute is not None:
+        attribute.data.foreach_get("vector", positions.ravel())
+    else:
+        mesh.vertices.foreach_get("co", positions.ravel())
+    return positions
+
+
+def corner_vertices(mesh: bpy.types.Mesh) -> np.ndarray:
+    vertices = np.empty(len(mesh.loops), np.int32)
+    attribute = mesh.attributes.get(".corner_vert")
+    if attribute is not None:
+        attribute.data.foreach_get("value", vertices)
+    else:
+        mesh.loops.foreach_get("vertex_index", vertices)
+    return vertices
+
+
+def corner_uvs(layer: bpy.types.MeshUVLoopLayer) -> np.ndarray:
+    """(corners, 2)"""
+    if hasattr(layer, "uv"):
+        uvs = np.empty((len(layer.uv), 2), np.float32)
+        layer.uv.foreach_get("vector", uvs.ravel())
+    else:
+        uvs = np.empty((len(layer.data), 2), np.float32)
+        layer.data.foreach_get("uv", uvs.ravel())
+    return uvs
+
+
+def normals_domain(mesh: bpy.types.Mesh) -> str:
+    """Where normals differ: FACE for a flat mesh, POINT for one all smooth, else CORNER."""
+    if hasattr(mesh, "normals_domain"):
+        return mesh.normals_domain
+    smooth = np.empty(len(mesh.polygons), bool)
+    mesh.polygons.foreach_get("use_smooth", smooth)
+    if mesh.use_auto_smooth and (smooth.any() or mesh.has_custom_normals):
+        return "CORNER"
+    if smooth.all():
+        return "POINT"
+    return "CORNER" if smooth.any() else "FACE"
+
+
+def corner_normals(mesh: bpy.types.Mesh) -> np.ndarray:
+    """Split normals (corners, 3)."""
+    normals = np.empty((len(mesh.loops), 3), np.float32)
+    if hasattr(mesh, "corner_normals"):
+        mesh.corner_normals.foreach_get("vector", normals.ravel())
+    else:
+        mesh.calc_normals_split()
+        mesh.loops.foreach_get("normal", normals.ravel())
+        mesh.free_normals_split()
+    return normals

@@ -1,0 +1,48 @@
+"""The render engine as Blender calls it; no error gets past it, nor a black picture."""
+
+import traceback
+
+import bpy
+
+from . import core, final, passes
+from .core import EyeRenderError
+
+_VIEWPORT_SENTENCE = "Eye Render has no viewport picture yet: press F12 to render"
+
+
+class EyeRenderEngine(bpy.types.RenderEngine):
+    bl_idname = "EYE_RENDER"
+    bl_label = "Eye Render"
+    bl_use_preview = False
+    bl_use_shading_nodes_custom = False  # the node editor offers the nodes of Cycles and EEVEE
+
+    def update_render_passes(self, scene, renderlayer):
+        if core.module is not None:
+            passes.register(self, scene, renderlayer)
+
+    def render(self, depsgraph):
+        try:
+            final.render(self, depsgraph)
+        except Exception as error:
+            if not isinstance(error, EyeRenderError):
+                traceback.print_exc()
+            self._fail(str(error) or type(error).__name__)
+
+    def _fail(self, sentence: str) -> None:
+        """End the render so that Blender writes no file and exits with status 1."""
+        self.error_set(sentence)
+        self.report({"ERROR"}, sentence)
+
+    def view_update(self, context, depsgraph):
+        self.update_stats("", _VIEWPORT_SENTENCE)
+
+    def view_draw(self, context, depsgraph):
+        self.update_stats("", _VIEWPORT_SENTENCE)
+
+
+def register():
+    bpy.utils.register_class(EyeRenderEngine)
+
+
+def unregister():
+    bpy.utils.unregister_class(EyeRenderEngine)

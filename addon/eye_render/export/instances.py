@@ -1,0 +1,75 @@
+"""What the render sees: every mesh once, every instance of it as a matrix, and the lamps."""
+
+from collections.abc import Callable
+
+import bpy
+import numpy as np
+
+from . import light
+from .material import MaterialTable
+from .mesh import add_mesh
+
+# What Blender also lists beside the mesh that it evaluated from it.
+_SHOWN_AS_MESH = {"CURVE", "SURFACE", "FONT", "META"}
+_NOT_GEOMETRY = {"EMPTY", "CAMERA", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE"}
+
+
+class _Geometry:
+    """One evaluated mesh: matrices of its instances, grouped by the materials they wear."""
+
+    def __init__(self, mesh: bpy.types.Mesh):
+        self.mesh = mesh
+        self.matrices: dict[tuple[int, ...], list] = {}
+
+    def material_ids(self) -> list[int]:
+        return sorted({material for worn in self.matrices for material in worn})
+
+
+def export_instances(
+    core_scene,
+    depsgraph: bpy.types.Depsgraph,
+    materials: MaterialTable,
+    warn: Callable[[str], None],
+    check_cancel: Callable[[], None],
+) -> None:
+    """Add all visible meshes, their instances and the lamps to the core's scene."""
+    geometries: dict[int, _Geometry] = {}
+    worn_by: dict[tuple[int, int], tuple[int, ...]] = {}
+    for instance in depsgraph.object_instances:
+        if not instance.show_self:
+            continue
+        shown = instance.object
+        if shown.type == "LIGHT":
+            light.export_light(core_scene, shown, instance.matrix_world, warn)
+        elif shown.type == "MESH":
+            # The evaluated mesh is shared by the objects that do not modify it, and by nobody
+            # else, so its address tells which instances have the same geometry.
+            mesh = shown.data
+            address = mesh.as_pointer()
+            geometry = geometries.get(address)
+            if geometry is None:
+                check_cancel()
+                geometry = geometries[address] = _Geometry(mesh)
+                _warn_of_hair(shown, warn)
+            wearer = (shown.original.as_pointer(), address)
+            worn = worn_by.get(wearer)
+            if worn is None:
+                worn = worn_by[wearer] = materials.worn_by(shown)
+            geometry.matrices.setdefault(worn, []).append(instance.matrix_world.copy())
+        elif shown.type not in _SHOWN_AS_MESH | _NOT_GEOMETRY:
+            kind = shown.bl_rna.properties["type"].enum_items[shown.type].name
+            warn(f"{kind} '{shown.name}' is left out: this kind of object is not supported")
+
+    for geometry in geometries.values():
+        check_cancel()
+        mesh_id = add_mesh(core_scene, geometry.mesh, geometry.material_ids())
+        if mesh_id is None:
+            continue
+        for worn, matrices in geometry.matrices.items():
+            core_scene.add_instances(mesh_id, np.array(matrices, np.float64), materials=list(worn))
+
+
+def _warn_of_hair(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
+    for system in shown.particle_systems:
+        if system.settings.type == "HAIR" and system.settings.render_type == "PATH":
+            warn(f"Hair of '{shown.name}' is left out: hair strands are not supported")

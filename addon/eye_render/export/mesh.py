@@ -1,0 +1,91 @@
+"""Evaluated meshes to the core's arrays, by `foreach_get` alone."""
+
+import bpy
+import numpy as np
+
+from .. import compat
+
+
+def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int | None:
+    """Hand the mesh over; None if it has no triangle.
+
+    `material_ids` are all materials that some instance of the mesh wears: what none of them
+    reads is not exported.
+    """
+    mesh.calc_loop_triangles()
+    triangle_count = len(mesh.loop_triangles)
+    if triangle_count == 0:
+        return None
+    corners = np.empty((triangle_count, 3), np.int32)
+    mesh.loop_triangles.foreach_get("loops", corners.ravel())
+    triangles = compat.corner_vertices(mesh)[corners]
+    active_uv, uvs = _uvs(mesh, corners, core_scene.uv_layers_read(material_ids))
+    return core_scene.add_mesh(
+        mesh.name,
+        compat.vertex_positions(mesh),
+        triangles,
+        normals=_normals(mesh, corners),
+        uvs=uvs,
+        colors=_colors(mesh, corners, triangles, core_scene.color_attributes_read(material_ids)),
+        material_slots=_material_slots(mesh, triangle_count),
+        active_uv=active_uv,
+    )
+
+
+def _normals(mesh: bpy.types.Mesh, corners: np.ndarray) -> np.ndarray | None:
+    """None for a flat mesh, one normal a vertex for a smooth one, else one a triangle corner."""
+    domain = compat.normals_domain(mesh)
+    if domain == "FACE":
+        return None
+    if domain == "POINT":
+        normals = np.empty((len(mesh.vertices), 3), np.float32)
+        mesh.vertex_normals.foreach_get("vector", normals.ravel())
+        return normals
+    return compat.corner_normals(mesh)[corners.ravel()]
+
+
+def _uvs(
+    mesh: bpy.types.Mesh, corners: np.ndarray, names_read: list[str]
+) -> tuple[str, dict[str, np.ndarray]]:
+    """The name of the layer that "" stands for, and the layers read, one UV a triangle corner."""
+    active = next((layer.name for layer in mesh.uv_layers if layer.active_render), "")
+    wanted = {name or active for name in names_read}
+    uvs = {
+        layer.name: compat.corner_uvs(layer)[corners.ravel()]
+        for layer in mesh.uv_layers
+        if layer.name in wanted
+    }
+    return (active if active in uvs else ""), uvs
+
+
+def _colors(
+    mesh: bpy.types.Mesh, corners: np.ndarray, triangles: np.ndarray, names_read: list[str]
+) -> dict[str, np.ndarray]:
+    """The colour attributes read, linear RGBA, one a triangle corner; "" is the render colour."""
+    colors = {}
+    for name in names_read:
+        attribute = _color_attribute(mesh, name)
+        if attribute is None:
+            continue
+        values = np.empty((len(attribute.data), 4), np.float32)
+        attribute.data.foreach_get("color", values.ravel())
+        at_corner = triangles if attribute.domain == "POINT" else corners
+        colors[name] = values[at_corner.ravel()]
+    return colors
+
+
+def _color_attribute(mesh: bpy.types.Mesh, name: str) -> bpy.types.Attribute | None:
+    if name:
+        return mesh.color_attributes.get(name)
+    index = mesh.color_attributes.render_color_index
+    return mesh.color_attributes[index] if 0 <= index < len(mesh.color_attributes) else None
+
+
+def _material_slots(mesh: bpy.types.Mesh, triangle_count: int) -> np.ndarray | None:
+    """The slot of each triangle; None if there is only one to choose."""
+    if len(mesh.materials) < 2:
+        return None
+    slots = np.empty(triangle_count, np.int32)
+    mesh.loop_triangles.foreach_get("material_index", slots)
+    # Blender shows faces whose slot was removed in the last slot that is left.
+    return np.clip(slots, 0, len(mesh.materials) - 1)

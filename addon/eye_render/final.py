@@ -1,0 +1,158 @@
+"""The final render: F12, animations and batch, each view of one view layer in turn."""
+
+import time
+from collections.abc import Callable
+
+import bpy
+import numpy as np
+
+from . import batch, export, passes
+from .core import EyeRenderError
+from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
+from .session import RenderSession, make_observer, make_settings
+
+SLICE_S = 0.1  # between looks at the Esc key
+FIRST_PICTURE_S = 0.5  # until the picture is shown for the first time
+SLOWEST_PICTURE_S = 8.0
+PICTURE_INTERVAL_GROWTH = 1.5
+
+_EYE_OF_STEREO_VIEW = {"left": "LEFT", "right": "RIGHT"}
+
+
+class _Cancelled(Exception):
+    """The user pressed Esc."""
+
+
+def _say(text: str) -> None:
+    print(f"Eye Render: {text}", flush=True)
+
+
+def _make_warn(engine: bpy.types.RenderEngine) -> Callable[[str], None]:
+    """A function that says each sentence once."""
+    said: set[str] = set()
+
+    def warn(sentence: str) -> None:
+        if sentence in said:
+            return
+        said.add(sentence)
+        _say(f"warning: {sentence}")
+        if not bpy.app.background:  # where Blender would print it a second time
+            engine.report({"WARNING"}, sentence)
+
+    return warn
+
+
+def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> None:
+    """Render the depsgraph's view layer into the engine's result. Raises what goes wrong."""
+
+    def check_cancel() -> None:
+        if engine.test_break():
+            raise _Cancelled
+
+    warn = _make_warn(engine)
+    view_layer = depsgraph.view_layer_eval
+    camera = engine.camera_override or depsgraph.scene_eval.camera
+    check_camera(camera)
+    pass_names = passes.add(engine, view_layer)
+    try:
+        engine.update_stats("", "Exporting the scene")
+        core_scene = export.export_scene(depsgraph, warn, check_cancel)
+        for view in engine.get_result().views:
+            engine.active_view_set(view.name)
+            _render_view(engine, depsgraph, core_scene, pass_names, view.name, warn)
+    except _Cancelled:
+        return
+
+
+def _render_view(
+    engine: bpy.types.RenderEngine,
+    depsgraph: bpy.types.Depsgraph,
+    core_scene,
+    pass_names: list[str],
+    view_name: str,
+    warn: Callable[[str], None],
+) -> None:
+    scene = depsgraph.scene_eval
+    camera = engine.camera_override or scene.camera
+    overrides = batch.overrides
+    frame = frame_of(scene.render)
+    set_camera(core_scene, engine, depsgraph, camera, frame)
+
+    settings = camera.data.eye_render
+    eye = _EYE_OF_STEREO_VIEW.get(view_name, overrides.side or settings.eye)
+    if eye == "LEFT" and not view_name and overrides.rx and overrides.rx_left is None:
+        warn("--eye-rx is for the right eye, but this picture is seen with the left")
+    world_from_camera = np.array(engine.camera_model_matrix(camera))
+    observer = make_observer(
+        settings,
+        scene.eye_render,
+        overrides,
+        eye,
+        focus_distance_m(depsgraph, camera, world_from_camera),
+    )
+    core_settings = make_settings(scene, overrides, pass_names)
+
+    engine.update_stats("", "Preparing the render")
+    with RenderSession(core_scene, observer, core_settings) as session:
+        _say(session.plan_text)
+        for sentence in session.warnings:
+            warn(sentence)
+        _stamp(engine, session.metadata, view_name)
+        _show_until_finished(engine, depsgraph, session, frame, view_name)
+
+
+def _stamp(engine: bpy.types.RenderEngine, metadata: dict[str, str], view_name: str) -> None:
+    """Write the observer into the file's metadata; each stereo view has its own."""
+    result = engine.get_result()
+    for key, value in metadata.items():
+        result.stamp_data_add_field(f"{key}.{view_name}" if view_name else key, value)
+
+
+def _show_until_finished(
+    engine: bpy.types.RenderEngine,
+    depsgraph: bpy.types.Depsgraph,
+    session: RenderSession,
+    frame: Frame,
+    view_name: str,
+) -> None:
+    """Pull pictures from the session at growing intervals, and the finished one at its end."""
+
+    def show() -> None:
+        _write(engine, depsgraph.view_layer_eval.name, view_name, frame, session.snapshot())
+
+    interval_s = FIRST_PICTURE_S
+    next_picture = time.monotonic() + interval_s
+    while not session.wait(SLICE_S):
+        done = session.progress()
+        if engine.test_break():
+            if done.samples_done > 0:
+                show()
+            raise _Cancelled
+        engine.update_progress(done.fraction)
+        engine.update_stats(view_name, f"Sample {done.samples_done}/{done.samples}")
+        if not bpy.app.background and time.monotonic() >= next_picture:
+            show()
+            interval_s = min(interval_s * PICTURE_INTERVAL_GROWTH, SLOWEST_PICTURE_S)
+            next_picture = time.monotonic() + interval_s
+    show()
+    done = session.progress()
+    engine.update_progress(done.fraction)
+    engine.update_stats(view_name, f"Sample {done.samples_done}/{done.samples}")
+
+
+def _write(
+    engine: bpy.types.RenderEngine,
+    layer_name: str,
+    view_name: str,
+    frame: Frame,
+    pixels: dict[str, np.ndarray],
+) -> None:
+    # With a border Blender hands out a result of the border's size, whatever is asked for.
+    result = engine.begin_result(0, 0, frame.width, frame.height, layer=layer_name, view=view_name)
+    height, width, _ = pixels["Combined"].shape
+    expected = (result.resolution_x, result.resolution_y)
+    if (width, height) != expected:
+        engine.end_result(result, cancel=True)
+        raise EyeRenderError(f"The picture has {width}x{height} pixels, Blender wants {expected}")
+    passes.write(result.layers[0], pixels)
+    engine.end_result(result)

@@ -1,0 +1,63 @@
+"""Panels of the engine, and Blender's own panels opened to it."""
+
+import bpy
+
+from . import focus, light, missing, prescription, pupil, render
+
+_ENGINE = "EYE_RENDER"
+
+# Panels for every engine that would show settings without effect here, or that ours replace.
+_REPLACED = {
+    "DATA_PT_area",
+    "DATA_PT_falloff_curve",
+    "DATA_PT_light",
+    "DATA_PT_preview",
+    "DATA_PT_spot",
+    "EEVEE_MATERIAL_PT_viewport_settings",
+    "NODE_DATA_PT_light",
+    "NODE_DATA_PT_spot",
+    "RENDER_PT_freestyle",
+    "RENDER_PT_simplify",
+    "VIEWLAYER_PT_filter",
+    "VIEWLAYER_PT_layer_passes",
+}
+# Panels that Blender shows for its own engines alone, though they suit any engine.
+_WELCOME = {
+    "DATA_PT_camera_dof",
+    "EEVEE_MATERIAL_PT_context_material",
+    "EEVEE_MATERIAL_PT_surface",
+    "EEVEE_WORLD_PT_surface",
+}
+
+_classes = (
+    *missing.classes,
+    *prescription.classes,
+    *pupil.classes,
+    *focus.classes,
+    *render.classes,
+    *light.classes,
+)
+
+
+def _blender_panels() -> list[type]:
+    return [
+        panel
+        for panel in bpy.types.Panel.__subclasses__()
+        if hasattr(panel, "COMPAT_ENGINES")
+        and panel.__name__ not in _REPLACED
+        and ("BLENDER_RENDER" in panel.COMPAT_ENGINES or panel.__name__ in _WELCOME)
+    ]
+
+
+def register():
+    for panel in _blender_panels():
+        panel.COMPAT_ENGINES.add(_ENGINE)
+    for cls in _classes:
+        bpy.utils.register_class(cls)
+
+
+def unregister():
+    for cls in reversed(_classes):
+        bpy.utils.unregister_class(cls)
+    for panel in _blender_panels():
+        panel.COMPAT_ENGINES.discard(_ENGINE)

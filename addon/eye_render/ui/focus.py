@@ -1,0 +1,36 @@
+"""The Focus panel: what the eye looks at, and how near it can see sharply."""
+
+from bpy.types import Panel
+
+from .. import core
+from .tabs import CameraTab, SceneCameraTab, split_column
+
+
+class _Focus:
+    bl_label = "Focus"
+
+    def draw(self, context):
+        camera = self.camera(context)
+        observer = camera.eye_render
+
+        column = split_column(self.layout)
+        column.prop(observer, "focus_mode")
+        if observer.focus_mode == "DISTANCE":
+            column.prop(camera.dof, "focus_object")
+            row = column.row()
+            row.active = camera.dof.focus_object is None
+            row.prop(camera.dof, "focus_distance")
+        if core.module is not None:
+            amplitude_d = core.module.accommodation_amplitude_d(observer.age)
+            column.label(text=f"Accommodation up to {amplitude_d:.1f} D at this age")
+
+
+class EYE_RENDER_PT_camera_focus(_Focus, CameraTab, Panel):
+    pass
+
+
+class EYE_RENDER_PT_focus(_Focus, SceneCameraTab, Panel):
+    pass
+
+
+classes = (EYE_RENDER_PT_camera_focus, EYE_RENDER_PT_focus)

@@ -1,0 +1,62 @@
+"""The Prescription panel: which eye looks, and what an optician wrote for each."""
+
+import bpy
+from bpy.types import Panel
+
+from .. import batch
+from .tabs import CameraTab, SceneCameraTab, split_column
+
+
+def _draw_eye(
+    layout: bpy.types.UILayout, prescription: bpy.types.PropertyGroup, name: str, is_used: bool
+) -> None:
+    column = split_column(layout)
+    column.active = is_used
+    problem = prescription.problem()
+    row = column.row()
+    row.alert = bool(problem)
+    row.prop(prescription, "text", text=name)
+    if problem:
+        row = column.row()
+        row.alert = True
+        row.label(text=problem, icon="ERROR")
+    powers = column.column(align=True)
+    powers.prop(prescription, "sphere")
+    powers.prop(prescription, "cylinder")
+    axis = powers.row()
+    axis.active = prescription.cylinder != 0.0
+    axis.prop(prescription, "axis")
+    powers.prop(prescription, "add")
+
+
+class _Prescription:
+    bl_label = "Prescription"
+
+    def draw(self, context):
+        layout = self.layout
+        observer = self.camera(context).eye_render
+        is_stereo = context.scene.render.use_multiview
+
+        column = split_column(layout)
+        row = column.row()
+        row.active = not is_stereo
+        row.prop(observer, "eye", expand=True)
+        _draw_eye(layout, observer.right, "Right (OD)", is_stereo or observer.eye == "RIGHT")
+        _draw_eye(layout, observer.left, "Left (OS)", is_stereo or observer.eye == "LEFT")
+        column = split_column(layout)
+        column.prop(observer, "vertex_mm")
+        column.prop(observer, "age")
+        column.prop(observer, "model")
+        if batch.overrides != batch.Overrides():
+            layout.label(text="The command line overrides some of this", icon="INFO")
+
+
+class EYE_RENDER_PT_camera_prescription(_Prescription, CameraTab, Panel):
+    pass
+
+
+class EYE_RENDER_PT_prescription(_Prescription, SceneCameraTab, Panel):
+    pass
+
+
+classes = (EYE_RENDER_PT_camera_prescription, EYE_RENDER_PT_prescription)

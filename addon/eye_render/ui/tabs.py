@@ -1,0 +1,52 @@
+"""Where the engine's panels stand in the properties editor."""
+
+import bpy
+
+
+class Tab:
+    """Mix-in for panels that only Eye Render shows."""
+
+    bl_space_type = "PROPERTIES"
+    bl_region_type = "WINDOW"
+    COMPAT_ENGINES = {"EYE_RENDER"}
+
+    @classmethod
+    def poll(cls, context):
+        return context.engine in cls.COMPAT_ENGINES
+
+
+class RenderTab(Tab):
+    bl_context = "render"
+
+
+class CameraTab(Tab):
+    """The data tab of a camera."""
+
+    bl_context = "data"
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and context.camera is not None
+
+    @staticmethod
+    def camera(context: bpy.types.Context) -> bpy.types.Camera:
+        return context.camera
+
+
+class SceneCameraTab(RenderTab):
+    """The render tab, for the camera that the scene is rendered with."""
+
+    @classmethod
+    def poll(cls, context):
+        camera = context.scene.camera
+        return super().poll(context) and camera is not None and camera.type == "CAMERA"
+
+    @staticmethod
+    def camera(context: bpy.types.Context) -> bpy.types.Camera:
+        return context.scene.camera.data
+
+
+def split_column(layout: bpy.types.UILayout) -> bpy.types.UILayout:
+    """A column in Blender's style: name at the left, value at the right."""
+    layout.use_property_split = True
+    return layout.column()
