@@ -164,25 +164,35 @@ EnvironmentSample Environment::sample(const V2f& u) const
         const V3f wi = sample_uniform_sphere(u);
         return {wi, radiance(wi), uniform_sphere_pdf()};
     }
-    V3f wi;
     if (u.x < uniform_share) {
-        wi = sample_uniform_sphere({u.x / uniform_share, u.y});
-    } else {
-        const float ux = (u.x - uniform_share) / (1.0f - uniform_share);
-        const Cell row = find_cell(row_cdf_.data(), table_height_, u.y);
-        const auto stride = static_cast<std::size_t>(table_width_) + 1;
-        const Cell cell =
-            find_cell(&cell_cdf_[stride * static_cast<std::size_t>(row.index)], table_width_, ux);
-        // Uniform within the cell by solid angle: in longitude and in the sine of latitude.
-        const float z0 = row_edge_z(row.index, table_height_);
-        const float z1 = row_edge_z(row.index + 1, table_height_);
-        const float z = z0 + row.offset * (z1 - z0);
-        const float across = std::sqrt(std::max(0.0f, 1.0f - z * z));
-        const float phi = pi_f - 2.0f * pi_f * (static_cast<float>(cell.index) + cell.offset) /
-                                     static_cast<float>(table_width_);
-        wi = V3f(across * std::cos(phi), across * std::sin(phi), z) * world_from_texture_;
+        const V3f wi = sample_uniform_sphere({u.x / uniform_share, u.y});
+        return {wi, radiance(wi), pdf(wi)};
     }
-    return {wi, radiance(wi), pdf(wi)};
+    const float ux = (u.x - uniform_share) / (1.0f - uniform_share);
+    const auto stride = static_cast<std::size_t>(table_width_) + 1;
+    const Cell row = find_cell(row_cdf_.data(), table_height_, u.y);
+    const float* cells = &cell_cdf_[stride * static_cast<std::size_t>(row.index)];
+    const Cell cell = find_cell(cells, table_width_, ux);
+    // Uniform within the cell by solid angle: in longitude and in the sine of latitude.
+    const float z0 = row_edge_z(row.index, table_height_);
+    const float z1 = row_edge_z(row.index + 1, table_height_);
+    const float z = z0 + row.offset * (z1 - z0);
+    const float across = std::sqrt(std::max(0.0f, 1.0f - z * z));
+    const float turn =
+        (static_cast<float>(cell.index) + cell.offset) / static_cast<float>(table_width_);
+    const float phi = pi_f * (1.0f - 2.0f * turn);
+    const V3f wi = V3f(across * std::cos(phi), across * std::sin(phi), z) * world_from_texture_;
+    // The density of the chosen cell, not of the one that wi may be rounded into: beside the sun
+    // the next cell's can be 10^5 times smaller.
+    return {wi, radiance(wi), density(row.probability * cell.probability, z1 - z0)};
+}
+
+// Density per unit solid angle in a cell between two latitudes.
+float Environment::density(float cell_probability, float z_extent) const
+{
+    const float solid_angle = 2.0f * pi_f / static_cast<float>(table_width_) * z_extent;
+    return uniform_share * uniform_sphere_pdf() +
+           (1.0f - uniform_share) * cell_probability / solid_angle;
 }
 
 float Environment::pdf(const V3f& direction) const
@@ -199,10 +209,7 @@ float Environment::pdf(const V3f& direction) const
     const auto row = static_cast<std::size_t>(y);
     const float* cells = &cell_cdf_[(static_cast<std::size_t>(table_width_) + 1) * row];
     const float probability = (row_cdf_[row + 1] - row_cdf_[row]) * (cells[x + 1] - cells[x]);
-    const float solid_angle = 2.0f * pi_f / static_cast<float>(table_width_) *
-                              (row_edge_z(y + 1, table_height_) - row_edge_z(y, table_height_));
-    return uniform_share * uniform_sphere_pdf() +
-           (1.0f - uniform_share) * probability / solid_angle;
+    return density(probability, row_edge_z(y + 1, table_height_) - row_edge_z(y, table_height_));
 }
 
 }  // namespace eye_render

@@ -53,6 +53,7 @@ public:
 
 private:
     void build_table();
+    [[nodiscard]] float density(float cell_probability, float z_extent) const;
 
     EnvironmentSettings settings_;
     M33f world_from_texture_;

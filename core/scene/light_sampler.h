@@ -2,9 +2,10 @@
 //
 // The lights are grouped in a few clusters: a lamp each while they are few, boxes of nearby
 // lamps or triangles else, and the environment. A cluster's importance estimates the irradiance
-// it gives the point (intensity over squared distance, bounded by its orientation); within a
-// cluster the choice goes by power, through an alias table (Vose 1991). Part of the probability
-// is shared out evenly, so that no light that can contribute is ever left out.
+// it gives the point (intensity over squared distance, with both orientations bounded as by Conty
+// Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting");
+// within a cluster the choice goes by power, through an alias table (Vose 1991). A little of the
+// probability is shared out evenly, so that no light that can contribute is ever left out.
 //
 // Probabilities here are discrete: of choosing that light. The density of a direction is the
 // probability times the density of sampling a direction on that light. Who calls this knows only
@@ -13,8 +14,9 @@
 #pragma once
 
 #include "base/vector.h"
-#include "scene/lamp.h"
+#include "scene/light_emitter.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -22,23 +24,11 @@
 
 namespace eye_render {
 
-class Environment;
-
-enum class LightKind : std::uint8_t { Lamp, Triangle, Environment };
-
 struct LightChoice {
     LightKind kind = LightKind::Lamp;
     std::uint32_t index = 0;  // in the span of lamps or of triangles; 0 for the environment
     float probability = 0.0f;
 };
-
-struct EmissiveTriangle {
-    V3f p0_world, p1_world, p2_world;
-    float radiance = 0.0f;  // luminance, estimated, of one side
-    bool two_sided = true;
-};
-
-[[nodiscard]] float triangle_area(const V3f& p0, const V3f& p1, const V3f& p2);
 
 class LightSampler {
 public:
@@ -64,38 +54,39 @@ public:
 
 private:
     struct Cluster {
-        LightKind kind = LightKind::Lamp;
-        bool is_distant = false;  // the environment and suns: importance is `intensity`
-        V3f center_world{0.0f};
-        float radius = 0.0f;      // of the sphere around all members
-        float intensity = 0.0f;   // sum over members, luminance
-        V3f axis{0.0f};           // direction of the light; zero when it shines all around
-        float cos_edge = -1.0f;   // beyond this angle from the axis nothing is emitted
+        LightEmitter bounds;      // of all members together; its kind and index say nothing
         std::uint32_t first = 0;  // members: [first, first + count) of entries_
         std::uint32_t count = 0;
     };
-    // A column of the cluster's alias table, and the probability of member `light` in it.
+    // A member of a cluster and column of its alias table.
     struct Entry {
+        LightKind kind = LightKind::Lamp;
         std::uint32_t light = 0;
-        std::uint32_t alias = 0;  // index into entries_
-        float keep = 1.0f;
-        float probability = 0.0f;
+        std::uint32_t alias = 0;   // index into entries_
+        float keep = 1.0f;         // probability of staying in this column
+        float probability = 0.0f;  // of this member, within the cluster
     };
+    // Where a light went.
+    struct Place {
+        static constexpr std::uint32_t nowhere = 0xffffffffu;
+        std::uint32_t cluster = nowhere;
+        std::uint32_t entry = 0;
+    };
+    static constexpr std::size_t max_clusters = 64;
+    using Probabilities = std::array<float, max_clusters>;
 
-    [[nodiscard]] float importance(const Cluster& cluster,
-                                   const V3f& p_world,
-                                   const V3f& n_world) const;
+    void add_clusters(std::span<LightEmitter> emitters, std::size_t max_count);
+    void add_cluster(std::span<const LightEmitter> emitters);
+    void add_entries(std::span<const LightEmitter> emitters);
+    [[nodiscard]] std::size_t place_index(LightKind kind, std::uint32_t index) const;
+    void cluster_probabilities(const V3f& p_world,
+                               const V3f& n_world,
+                               Probabilities& result) const;
 
     std::vector<Cluster> clusters_;
     std::vector<Entry> entries_;
-    // Where each light ended up in entries_, or `unlisted`; and its cluster.
-    struct Place {
-        std::uint32_t cluster = 0;
-        std::uint32_t entry = 0;
-    };
-    std::vector<Place> lamp_places_;
-    std::vector<Place> triangle_places_;
-    std::optional<Place> environment_place_;
+    std::size_t lamp_count_ = 0;
+    std::vector<Place> places_;  // the environment's, then the lamps', then the triangles'
 };
 
 }  // namespace eye_render
