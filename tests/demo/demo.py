@@ -1,0 +1,134 @@
+"""Makes out/demo.png: the hall seen through the four prescriptions of Wang & Xiao 2013, Fig. 9.
+What is newer than everything it was made from is not made again. `run demo` calls this."""
+
+import argparse
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+from strip import make_strip
+
+HERE = Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+BUILD = Path(os.environ.get("EYE_BUILD_DIR", ROOT / "build"))
+OUT = Path(os.environ.get("EYE_OUT_DIR", ROOT / "out"))
+BLENDER = [os.environ.get("BLENDER", "blender"), "-b", "--factory-startup"]
+
+SPHERES_D = ("0.00", "-1.50", "-3.00", "-4.50")
+SIZE_PX = 512  # as make_scene.py sets it
+SAMPLE = re.compile(r"Sample (\d+)/(\d+)")
+
+
+def is_newer(made: Path, made_from: list[Path]) -> bool:
+    """Whether `made` need not be made again."""
+    if not made.exists():
+        return False
+    return made.stat().st_mtime >= max(path.stat().st_mtime for path in made_from)
+
+
+def make_scene(variant: str) -> Path:
+    scene = BUILD / "demo" / f"hall_{variant}.blend"
+    script = HERE / "make_scene.py"
+    if not is_newer(scene, [script, *(HERE / "hall").glob("*.py")]):
+        start = time.monotonic()
+        print(f"Building the hall ({variant})", end=" ", flush=True)
+        scene.parent.mkdir(parents=True, exist_ok=True)
+        run_blender("--python", str(script), "--", str(scene), variant)
+        print(f"{time.monotonic() - start:.0f} s")
+    return scene
+
+
+def run_blender(*arguments: str, on_line=lambda line: None) -> None:
+    """Ends this program with Blender's last lines if Blender fails."""
+    lines = []
+    with subprocess.Popen(
+        [*BLENDER, "--python-exit-code", "1", *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+    ) as blender:
+        for line in blender.stdout:
+            lines.append(line)
+            on_line(line)
+    if blender.returncode:
+        sys.exit("".join([*lines[-20:], f"\nBlender failed, status {blender.returncode}"]))
+
+
+class Progress:
+    """Turns Blender's output into one line a view, which counts on a terminal."""
+
+    def __init__(self, views: int):
+        self._views, self._view = views, 0
+        self._start = time.monotonic()
+
+    def __call__(self, line: str) -> None:
+        if line.startswith("Eye Render: warning"):
+            print(line.rstrip())
+        elif line.startswith("View "):
+            self.finish()
+            self._view += 1
+            self._start = time.monotonic()
+            self._title = f"View {self._view} of {self._views}: {line.split()[1]} DS"
+            print(self._title, end="", flush=True)
+        elif sys.stdout.isatty() and (sample := SAMPLE.search(line)):
+            done = f"{sample[1]} of {sample[2]} samples"
+            print(f"\r{self._title}  {done}", end="", flush=True)
+
+    def finish(self) -> None:
+        if self._view:
+            print(f"  {time.monotonic() - self._start:.0f} s")
+
+
+def samples_stamp(samples: int) -> Path:
+    """A file that changes when the number of samples does."""
+    stamp = BUILD / "demo" / "samples"
+    if not stamp.exists() or stamp.read_text() != str(samples):
+        stamp.write_text(str(samples))
+    return stamp
+
+
+def render_views(scene: Path, samples: int) -> list[Path]:
+    views = {sphere_d: OUT / f"demo_{sphere_d}DS.png" for sphere_d in SPHERES_D}
+    made_from = [
+        scene,
+        samples_stamp(samples),
+        HERE / "render_views.py",
+        *BUILD.glob("release/bindings/eyecore*.so"),
+        *(ROOT / "addon/eye_render").rglob("*.py"),
+    ]
+    stale = [sphere_d for sphere_d, view in views.items() if not is_newer(view, made_from)]
+    if stale:
+        OUT.mkdir(parents=True, exist_ok=True)
+        progress = Progress(len(stale))
+        script = str(HERE / "render_views.py")
+        run_blender("--addons", "eye_render", str(scene), "--python", script, "--",
+                    str(OUT), str(samples), *stale, on_line=progress)  # fmt: skip
+        progress.finish()
+    return list(views.values())
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(prog="run demo")
+    parser.add_argument("--samples", type=int, default=128, help="per pixel (default 128)")
+    parser.add_argument(
+        "--scene-only", action="store_true", help="build the scenes, render nothing"
+    )
+    arguments = parser.parse_args()
+
+    scene = make_scene("principled")
+    if arguments.scene_only:
+        make_scene("basic")
+        return
+    views = render_views(scene, arguments.samples)
+    strip = OUT / "demo.png"
+    if not is_newer(strip, [*views, HERE / "strip.py"]):
+        make_strip(views, [f"{sphere_d} DS" for sphere_d in SPHERES_D], SIZE_PX, strip)
+    print(strip)
+
+
+if __name__ == "__main__":
+    main()
