@@ -20,10 +20,10 @@ class TextureSet;
 struct EnvironmentSettings {
     static constexpr int none = -1;
 
-    Color3f color{0.0f};      // used without a texture
-    float strength = 1.0f;    // radiance = strength times colour or texture
-    int texture = none;       // equirectangular, of the texture set
-    M33f texture_from_world;  // rotation, row-vector convention
+    Color3f color{0.0f};        // used without a texture
+    float strength = 1.0f;      // radiance = strength times colour or texture
+    int texture = none;         // equirectangular, of the texture set
+    M33f texture_from_world{};  // rotation, row-vector convention
 };
 
 struct EnvironmentSample {

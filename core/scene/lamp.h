@@ -21,9 +21,10 @@ enum class LampShape { Rectangle, Disk };
 // A lamp as Blender describes it.
 struct LampSettings {
     LampKind kind = LampKind::Point;
-    M44f world_from_light;  // row-vector convention; its scale stretches area lamps and spot cones
-    Color3f color{0.0f};    // colour times energy: W, for the sun W/m^2
-    float radius = 0.0f;    // point and spot, scene units; 0 is a delta lamp
+    M44f world_from_light{};   // row-vector convention; its scale stretches area lamps and spot
+                               // cones
+    Color3f color{0.0f};       // colour times energy: W, for the sun W/m^2
+    float radius = 0.0f;       // point and spot, scene units; 0 is a delta lamp
     bool soft_falloff = true;  // point and spot: a disk turned to the lit point, or a sphere
     float angle_rad = 0.0f;    // sun: full angle that its disk subtends; 0 is a delta lamp
     float spot_angle_rad = 0.785398f;  // full opening angle of the cone
