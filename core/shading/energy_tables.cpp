@@ -118,6 +118,10 @@ struct GlassTable {
                 }
             });
         });
+        // Between equal indices there is no boundary to lose light at, however rough.
+        for (Table1<coarse>& row : albedo.at[0].at) {
+            row.at.fill(1.0f);
+        }
         for (std::size_t z = 0; z < coarse; ++z) {
             mean_albedo.at[z] = mean_over_cosine(albedo.at[z]);
         }

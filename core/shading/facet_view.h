@@ -7,10 +7,40 @@
 #include "shading/microfacet.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 
 namespace eye_render {
+
+struct FacetPoint {
+    V2f u;  // for sample_visible_normal
+    float weight;
+};
+
+// Facets of one height lie on a circle of the disk that `sample_visible_normal` maps, and the
+// steep ones, which lose the light, at its rim: so points crowd there. One half of the disk is
+// enough, the other is its mirror image. The points are a Fibonacci lattice.
+[[nodiscard]] inline const auto& facet_points()
+{
+    constexpr int count = 377;
+    constexpr int previous = 233;
+    static const auto points = [] {
+        std::array<FacetPoint, count> made{};
+        for (int i = 0; i < count; ++i) {
+            const float inward = (static_cast<float>(i) + 0.5f) / count;
+            const float turn = (static_cast<float>(i * previous % count) + 0.5f) / count;
+            const float radius = std::sqrt(1.0f - inward * inward * inward);
+            const float phi = std::numbers::pi_v<float> * turn;
+            made[static_cast<std::size_t>(i)] = {
+                invert_uniform_disk({radius * std::cos(phi), radius * std::sin(phi)}),
+                3.0f * inward * inward / count};
+        }
+        return made;
+    }();
+    return points;
+}
 
 // Cosines of a facet's normal against wo and against the surface's normal.
 struct Facet {
@@ -54,31 +84,13 @@ struct FacetView {
     }
 
     // Calls use(facet, weight) for points that sample the facets seen; the weights add up to 1.
-    // Facets of one height lie on a circle of the square that `sample_visible_normal` maps, and
-    // the steep ones, which lose the light, at its rim: so points crowd there. One half of each
-    // circle is enough, the other is its mirror image.
     template <typename Use>
     void for_each_facet(Use&& use) const
     {
-        constexpr int circles = 24;
-        constexpr int points = 12;
-        const auto outside = [](float circle) {
-            const float v = circle / circles;
-            return v * v * v;
-        };
         const V3f wo(std::sqrt(1.0f - cos_o * cos_o), 0.0f, cos_o);
-        for (int i = 0; i < circles; ++i) {
-            const float circle = static_cast<float>(i);
-            const float radius = std::sqrt(1.0f - outside(circle + 0.5f));
-            const float weight = (outside(circle + 1.0f) - outside(circle)) / points;
-            for (int j = 0; j < points; ++j) {
-                const float phi =
-                    std::numbers::pi_v<float> * (static_cast<float>(j) + 0.5f) / points;
-                const V2f u =
-                    invert_uniform_disk({radius * std::cos(phi), radius * std::sin(phi)});
-                const V3f m = sample_visible_normal(wo, alpha, u);
-                use(Facet{std::clamp(wo.dot(m), 0.0f, 1.0f), m.z}, weight);
-            }
+        for (const FacetPoint& point : facet_points()) {
+            const V3f m = sample_visible_normal(wo, alpha, point.u);
+            use(Facet{std::clamp(wo.dot(m), 0.0f, 1.0f), m.z}, point.weight);
         }
     }
 

@@ -4,7 +4,6 @@
 
 #include "shading/energy_tables.h"
 #include "shading/fresnel.h"
-#include "shading/microfacet.h"
 
 #include <algorithm>
 
@@ -15,12 +14,6 @@ namespace {
 [[nodiscard]] float alpha_of(const GgxSurface& surface)
 {
     return surface.roughness * surface.roughness;
-}
-
-// A mirror loses nothing.
-[[nodiscard]] bool is_compensated(const GgxSurface& surface)
-{
-    return surface.multiple_scattering && alpha_of(surface) >= smallest_rough_alpha;
 }
 
 // Colours above white are not physical, and the series of bounces would not converge.
@@ -40,10 +33,13 @@ struct Compensation {
     return {factor, factor * energy.albedo};
 }
 
-[[nodiscard]] Compensation compensate_reflection(const GgxSurface& surface,
-                                                 const Color3f& mean_fresnel)
+// For a reflecting lobe.
+[[nodiscard]] Compensation compensate(const Lobe& lobe,
+                                      const GgxSurface& surface,
+                                      const Color3f& mean_fresnel)
 {
-    return is_compensated(surface)
+    // A mirror loses nothing.
+    return surface.multiple_scattering && !lobe.is_delta()
                ? compensate(reflection_energy(surface.roughness, surface.cos_o), mean_fresnel)
                : Compensation{};
 }
@@ -52,47 +48,56 @@ struct Compensation {
 
 void add_glossy(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color)
 {
-    const Compensation c = compensate_reflection(surface, at_most_white(color));
-    bsdf.add(glossy_lobe(color * c.factor, surface.normal, alpha_of(surface)), color * c.albedo);
+    Lobe lobe = glossy_lobe(color, surface.normal, alpha_of(surface));
+    const Compensation c = compensate(lobe, surface, at_most_white(color));
+    lobe.weight *= c.factor;
+    bsdf.add(lobe, color * c.albedo);
 }
 
 void add_metal(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3f& f0)
 {
-    const Compensation c = compensate_reflection(surface, blend_to_white(f0, mean_schlick_blend));
+    Lobe lobe = metal_lobe(Color3f(weight), surface.normal, alpha_of(surface), f0);
+    const Compensation c = compensate(lobe, surface, blend_to_white(f0, mean_schlick_blend));
+    lobe.weight *= c.factor;
     const float blend = schlick_albedo_blend(surface.roughness, surface.cos_o);
-    bsdf.add(metal_lobe(c.factor * weight, surface.normal, alpha_of(surface), f0),
-             c.albedo * blend_to_white(f0, blend) * weight);
+    bsdf.add(lobe, c.albedo * blend_to_white(f0, blend) * weight);
 }
 
 float add_dielectric(Bsdf& bsdf, const GgxSurface& surface, float weight, float ior)
 {
+    Lobe lobe = dielectric_lobe(Color3f(weight), surface.normal, alpha_of(surface), ior);
     const float f0 = f0_from_ior(ior);
-    const float mean_fresnel = std::max(f0, mean_fresnel_dielectric(ior));
-    const Compensation c = compensate_reflection(surface, Color3f(mean_fresnel));
+    const Color3f mean_fresnel(std::max(f0, mean_fresnel_dielectric(ior)));
+    const Compensation c = compensate(lobe, surface, mean_fresnel);
+    lobe.weight *= c.factor;
     const float blend = dielectric_albedo_blend(surface.roughness, surface.cos_o, ior);
     const float albedo = c.albedo.x * (f0 + (1.0f - f0) * blend);
-    bsdf.add(dielectric_lobe(c.factor * weight, surface.normal, alpha_of(surface), ior),
-             Color3f(albedo * weight));
+    bsdf.add(lobe, Color3f(albedo * weight));
     return albedo;
 }
 
 void add_glass(Bsdf& bsdf,
                const GgxSurface& surface,
+               float weight,
                const Color3f& reflection,
                const Color3f& transmission,
                float ior)
 {
-    // Most light passes, so its colour stands for that of the bounces in between.
-    const Compensation c = is_compensated(surface)
-                               ? compensate(glass_energy(surface.roughness, surface.cos_o, ior),
-                                            at_most_white(transmission))
-                               : Compensation{};
-    const float reflectance =
+    Lobe lobe = glass_lobe(reflection * weight, transmission * weight, surface.normal,
+                           alpha_of(surface), ior);
+    Compensation c;
+    if (surface.multiple_scattering && !lobe.is_delta()) {
+        // Most light passes, so its colour stands for that of the bounces in between.
+        c = compensate(glass_energy(surface.roughness, surface.cos_o, ior),
+                       at_most_white(transmission));
+    }
+    lobe.weight *= c.factor;
+    lobe.transmission *= c.factor;
+    // As of smooth glass.
+    const float reflected =
         fresnel_dielectric(std::clamp(surface.cos_o, 0.0f, 1.0f), ior).reflectance;
-    const Color3f smooth = reflection * reflectance + transmission * (1.0f - reflectance);
-    bsdf.add(glass_lobe(reflection * c.factor, transmission * c.factor, surface.normal,
-                        alpha_of(surface), ior),
-             smooth * c.albedo);
+    bsdf.add(lobe,
+             (reflection * reflected + transmission * (1.0f - reflected)) * c.albedo * weight);
 }
 
 }  // namespace eye_render

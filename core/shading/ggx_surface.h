@@ -25,9 +25,10 @@ void add_metal(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3
 // light, of `weight`, that it keeps from what lies below.
 [[nodiscard]] float add_dielectric(Bsdf& bsdf, const GgxSurface& surface, float weight, float ior);
 
-// `ior` is of the far side over the viewer's.
+// The colours of what is reflected and of what passes. `ior` is of the far side over the viewer's.
 void add_glass(Bsdf& bsdf,
                const GgxSurface& surface,
+               float weight,
                const Color3f& reflection,
                const Color3f& transmission,
                float ior);

@@ -71,7 +71,7 @@ ShadedPoint shade(const Material& material,
         break;
     case Surface::Glass: {
         const float ior = read_ior(material.ior, attributes);
-        add_glass(shaded.bsdf, ggx_surface(material, point, attributes), color, color,
+        add_glass(shaded.bsdf, ggx_surface(material, point, attributes), 1.0f, color, color,
                   point.backfacing ? 1.0f / ior : ior);
         break;
     }

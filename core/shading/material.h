@@ -30,7 +30,7 @@ struct MaterialInput {
 enum class Surface { Principled, Diffuse, Glossy, Glass, Emission, Transparent };
 
 struct Material {
-    std::string name;
+    std::string name{};
     Surface surface = Surface::Principled;
     MaterialInput base_color{.constant = Color3f(0.8f)};
     MaterialInput metallic{.constant = Color3f(0.0f)};

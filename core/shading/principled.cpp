@@ -74,8 +74,7 @@ ShadedPoint shade_principled(const Material& material,
         weight *= 1.0f - metallic;
     }
     if (transmission > 0.0f && weight > 0.0f) {
-        const float passing = weight * transmission;
-        add_glass(bsdf, surface, Color3f(passing), sqrt_of(clamped_color) * passing,
+        add_glass(bsdf, surface, weight * transmission, Color3f(1.0f), sqrt_of(clamped_color),
                   point.backfacing ? 1.0f / ior : ior);
         weight *= 1.0f - transmission;
     }
