@@ -1,0 +1,149 @@
+// eyecore.Eye, and what is known of pupils and accommodation.
+
+#include "analysis/blur_ellipse.h"
+#include "base/units.h"
+#include "bind_values.h"
+#include "eye/accommodation.h"
+#include "eye/eye_factory.h"
+#include "eye/pupil_pattern.h"
+#include "eye/pupil_size.h"
+#include "module.h"
+
+#include <limits>
+
+namespace eye_render {
+
+namespace {
+
+std::shared_ptr<const EyeModel> make_python_eye(const std::string& model,
+                                                const py::object& rx,
+                                                const std::string& rx_plane,
+                                                double vertex_mm,
+                                                double pupil_mm,
+                                                double accommodation_d)
+{
+    return make_eye({.model = named_of("model", model, eye_model_kinds),
+                     .rx = prescription_from_python(rx),
+                     .rx_plane = rx_plane_named(rx_plane),
+                     .vertex_m = m_from_mm(vertex_mm),
+                     .pupil_diameter_m = m_from_mm(pupil_mm),
+                     .accommodation_d = accommodation_d});
+}
+
+py::tuple rays(const EyeModel& eye,
+               const Array<double>& chief_slope,
+               const Array<double>& pupil_point_m,
+               double wavelength_nm)
+{
+    const auto slopes = rows<V2d>(chief_slope, "chief_slope");
+    const auto points = rows<V2d>(pupil_point_m, "pupil_point_m");
+    if (slopes.size() != points.size()) {
+        throw std::invalid_argument("chief_slope has " + std::to_string(slopes.size()) +
+                                    " rows and pupil_point_m " + std::to_string(points.size()) +
+                                    "; expected the same number");
+    }
+    const auto count = static_cast<py::ssize_t>(slopes.size());
+    py::array_t<double> origin({count, py::ssize_t{3}});
+    py::array_t<double> slope({count, py::ssize_t{2}});
+    py::array_t<double> weight(count);
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+        const auto row = static_cast<py::ssize_t>(i);
+        const EyeRay ray = eye.ray(slopes[i], points[i], wavelength_nm);
+        for (int axis = 0; axis < 3; ++axis) {
+            origin.mutable_at(row, axis) = ray.origin_eye_m[axis];
+        }
+        slope.mutable_at(row, 0) = ray.slope.x;
+        slope.mutable_at(row, 1) = ray.slope.y;
+        weight.mutable_at(row) = ray.weight;
+    }
+    return py::make_tuple(origin, slope, weight);
+}
+
+// E = K - I / distance; an infinite distance is an ordinary one.
+PowerMatrix error_at(const EyeModel& eye, double distance)
+{
+    if (!(distance > 0.0)) {
+        throw std::invalid_argument("distance_m is " + std::to_string(distance) +
+                                    " m; expected above 0");
+    }
+    return eye.retinal_conjugate_d() - PowerMatrix::sphere(1.0 / distance);
+}
+
+}  // namespace
+
+void bind_eye(py::module_& m)
+{
+    using namespace py::literals;
+
+    m.attr("EYE_MODELS") = names_of(eye_model_kinds);
+    m.attr("PUPIL_FORMULAS") = names_of(pupil_formulas);
+    m.attr("PUPIL_PATTERNS") = names_of(pupil_pattern_kinds);
+
+    py::class_<BlurEllipse>(m, "BlurEllipse", "Full diameters of a point's blur.")
+        .def_readonly("major_arcmin", &BlurEllipse::major_arcmin)
+        .def_readonly("minor_arcmin", &BlurEllipse::minor_arcmin)
+        .def_readonly("angle_deg",
+                      &BlurEllipse::angle_deg,
+                      "Of the major diameter, counter-clockwise from +X as the patient sees it;\n"
+                      "None when round.")
+        .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin);
+
+    py::class_<EyeModel, std::shared_ptr<EyeModel>>(m, "Eye", "An eye as a model sees through it.")
+        .def(py::init([](const std::string& model, const py::object& rx,
+                         const std::string& rx_plane, double vertex_mm, double pupil_mm,
+                         double accommodation_d) {
+                 return std::const_pointer_cast<EyeModel>(make_python_eye(
+                     model, rx, rx_plane, vertex_mm, pupil_mm, accommodation_d));
+             }),
+             "model"_a = "paraxial",
+             "rx"_a = "plano",
+             "rx_plane"_a = "spectacle",
+             "vertex_mm"_a = 12.0,
+             "pupil_mm"_a = 4.0,
+             "accommodation_d"_a = 0.0)
+        .def("rays",
+             &rays,
+             "chief_slope"_a,
+             "pupil_point_m"_a,
+             "wavelength_nm"_a = 555.0,
+             "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, 2).")
+        .def(
+            "blur_ellipse",
+            [](const EyeModel& eye, double distance) {
+                return blur_ellipse(error_at(eye, distance), eye.pupil_diameter_m());
+            },
+            "distance_m"_a = std::numeric_limits<double>::infinity())
+        .def_property_readonly(
+            "far_point_m",
+            [](const EyeModel& eye) { return distance_m(eye.retinal_conjugate_d().mean_d()); },
+            "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"
+            "behind the eye of a hyperope.")
+        .def_property_readonly("retinal_conjugate_d", [](const EyeModel& eye) {
+            const PowerMatrix k = eye.retinal_conjugate_d();
+            return py::make_tuple(py::make_tuple(k.xx_d, k.xy_d), py::make_tuple(k.xy_d, k.yy_d));
+        });
+
+    m.def(
+        "pupil_diameter_mm",
+        [](const std::string& formula, double luminance_cd_m2, double area_deg2, double age_years,
+           int eyes) {
+            return mm_from_m(pupil_size(named_of("formula", formula, pupil_formulas),
+                                        {.luminance_cd_m2 = luminance_cd_m2,
+                                         .area_deg2 = area_deg2,
+                                         .age_years = age_years,
+                                         .eyes = eyes})
+                                 .diameter_m);
+        },
+        "formula"_a,
+        "luminance_cd_m2"_a,
+        "area_deg2"_a = 3600.0,
+        "age_years"_a = 30.0,
+        "eyes"_a = 2,
+        "Diameter of the entrance pupil, clamped to 1.5 to 9 mm.");
+    m.def("accommodation_amplitude_d",
+          [](double age_years) { return accommodation_amplitude_d(age_years); },
+          "age_years"_a,
+          "Hofstetter's mean amplitude.");
+}
+
+}  // namespace eye_render

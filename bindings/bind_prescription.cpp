@@ -1,0 +1,78 @@
+// eyecore.Prescription.
+
+#include "base/error.h"
+#include "module.h"
+#include "optics/prescription.h"
+#include "optics/prescription_text.h"
+
+#include <pybind11/operators.h>
+
+namespace eye_render {
+
+namespace {
+
+const char* side_name(EyeSide side)
+{
+    switch (side) {
+    case EyeSide::Right: return "OD";
+    case EyeSide::Left: return "OS";
+    case EyeSide::Both: return "OU";
+    case EyeSide::Unspecified: break;
+    }
+    return "";
+}
+
+py::tuple power_matrix_tuple(const PowerMatrix& m)
+{
+    return py::make_tuple(py::make_tuple(m.xx_d, m.xy_d), py::make_tuple(m.xy_d, m.yy_d));
+}
+
+}  // namespace
+
+void bind_prescription(py::module_& m)
+{
+    using namespace py::literals;
+
+    py::class_<Prescription>(m, "Prescription", "Power of the correcting lens, axis TABO.")
+        .def(py::init([](double sphere_d, double cylinder_d, double axis_deg, double add_d) {
+                 const Prescription rx{.sphere_d = sphere_d,
+                                       .cylinder_d = cylinder_d,
+                                       .axis_deg = axis_deg,
+                                       .add_d = add_d};
+                 require_valid(rx);
+                 return rx;
+             }),
+             "sphere_d"_a = 0.0,
+             "cylinder_d"_a = 0.0,
+             "axis_deg"_a = 180.0,
+             "add_d"_a = 0.0)
+        .def_static("parse",
+                    &parse_prescription,
+                    "text"_a,
+                    "From the usual notations, such as '-2.00DS -0.75DC 160A'. ValueError says why\n"
+                    "a text is none.")
+        .def_readonly("sphere_d", &Prescription::sphere_d)
+        .def_readonly("cylinder_d", &Prescription::cylinder_d)
+        .def_readonly("axis_deg", &Prescription::axis_deg)
+        .def_readonly("add_d", &Prescription::add_d)
+        .def_property_readonly("eye", [](const Prescription& rx) { return side_name(rx.eye); })
+        .def("text", &format_prescription)
+        .def("__str__", &format_prescription)
+        .def("__repr__",
+             [](const Prescription& rx) { return "Prescription('" + format_prescription(rx) + "')"; })
+        .def("transposed", &transposed, "The same lens in the other cylinder form.")
+        .def(
+            "power_vector",
+            [](const Prescription& rx) {
+                const PowerVector v = power_vector(rx);
+                return py::make_tuple(v.m_d, v.j0_d, v.j45_d);
+            },
+            "(M, J0, J45) in dioptres, TABO frame.")
+        .def(
+            "power_matrix",
+            [](const Prescription& rx) { return power_matrix_tuple(power_matrix_camera(rx)); },
+            "Dioptric power matrix in the camera frame.")
+        .def(py::self == py::self);
+}
+
+}  // namespace eye_render

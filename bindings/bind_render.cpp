@@ -1,0 +1,219 @@
+// eyecore.Observer, Settings, Session and render.
+
+#include "api/engine.h"
+#include "bind_values.h"
+#include "module.h"
+
+#include <chrono>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace eye_render {
+
+namespace {
+
+Observer make_observer(const std::string& model,
+                       const py::object& rx,
+                       const std::string& rx_plane,
+                       double vertex_mm,
+                       double age_years,
+                       const py::object& pupil,
+                       const std::string& pupil_formula,
+                       double cd_m2_per_unit,
+                       double luminance_sigma,
+                       const py::object& focus)
+{
+    Observer observer;
+    observer.model = named_of("model", model, eye_model_kinds);
+    observer.rx = prescription_from_python(rx);
+    observer.rx_plane = rx_plane_named(rx_plane);
+    observer.vertex_mm = vertex_mm;
+    observer.age_years = age_years;
+    if (py::isinstance<py::str>(pupil)) {
+        static_cast<void>(
+            named<int>("pupil", pupil.cast<std::string>(), {{"auto", 0}, {"a number of mm", 0}}));
+    }
+    else {
+        observer.pupil_mm = pupil.cast<double>();
+    }
+    observer.pupil_formula = named_of("pupil_formula", pupil_formula, pupil_formulas);
+    observer.cd_m2_per_unit = cd_m2_per_unit;
+    observer.luminance_sigma = luminance_sigma;
+    if (py::isinstance<py::str>(focus)) {
+        observer.focus = named<FocusMode>(
+            "focus",
+            focus.cast<std::string>(),
+            {{"relaxed", FocusMode::Relaxed}, {"center", FocusMode::Center}});
+    }
+    else {
+        observer.focus = FocusMode::Distance;
+        observer.focus_distance_m = focus.cast<double>();
+    }
+    return observer;
+}
+
+RenderSettings make_settings(std::uint32_t samples,
+                             int max_bounces,
+                             std::uint64_t seed,
+                             const std::optional<std::array<std::uint32_t, 2>>& sample_range,
+                             const std::string& pattern,
+                             const std::vector<std::string>& passes,
+                             int threads,
+                             bool film_transparent,
+                             double filter_width_px)
+{
+    RenderSettings settings;
+    settings.samples = sample_range ? SampleRange{(*sample_range)[0], (*sample_range)[1]}
+                                    : SampleRange{0, samples};
+    settings.max_bounces = max_bounces;
+    settings.seed = seed;
+    settings.pattern = named_of("pattern", pattern, pupil_pattern_kinds);
+    settings.passes.clear();
+    for (const std::string& name : passes) {
+        const auto pass = pass_named(name);
+        if (!pass) {
+            throw std::invalid_argument("pass '" + name + "' does not exist; see eyecore.PASSES");
+        }
+        settings.passes.push_back(*pass);
+    }
+    settings.threads = threads;
+    settings.film_transparent = film_transparent;
+    settings.filter_width_px = filter_width_px;
+    return settings;
+}
+
+py::dict snapshot(Engine& engine)
+{
+    std::vector<PassImage> images;
+    {
+        const py::gil_scoped_release release;
+        images = engine.session().snapshot();
+    }
+    py::dict result;
+    for (const PassImage& image : images) {
+        const PassInfo& pass = info(image.pass);
+        py::array_t<float> array({static_cast<py::ssize_t>(image.height),
+                                  static_cast<py::ssize_t>(image.width),
+                                  static_cast<py::ssize_t>(pass.channels())});
+        std::memcpy(array.mutable_data(), image.pixels.data(), image.pixels.size() * sizeof(float));
+        result[py::str(std::string(pass.name))] = array;
+    }
+    return result;
+}
+
+py::dict render(const std::shared_ptr<SceneBuilder>& scene,
+                const Observer& observer,
+                const RenderSettings& settings)
+{
+    std::unique_ptr<Engine> engine;
+    {
+        const py::gil_scoped_release release;
+        engine = std::make_unique<Engine>(scene, observer, settings);
+        engine->session().start();
+    }
+    // In short waits, so that Ctrl-C ends the render as it ends any Python program.
+    for (bool ended = false; !ended;) {
+        {
+            const py::gil_scoped_release release;
+            ended = engine->session().wait(std::chrono::milliseconds(100));
+        }
+        if (PyErr_CheckSignals() != 0) {
+            throw py::error_already_set();
+        }
+    }
+    if (const auto error = engine->session().error()) {
+        throw std::runtime_error(*error);
+    }
+    return snapshot(*engine);
+}
+
+}  // namespace
+
+void bind_render(py::module_& m)
+{
+    using namespace py::literals;
+
+    py::list passes;
+    for (const PassInfo& pass : pass_table) {
+        passes.append(py::make_tuple(
+            std::string(pass.name), pass.channels(), std::string(pass.channel_ids)));
+    }
+    m.attr("PASSES") = passes;
+
+    py::class_<Observer>(m, "Observer", "Who looks: prescription, pupil, focus, age.")
+        .def(py::init(&make_observer),
+             py::kw_only(),
+             "model"_a = "paraxial",
+             "rx"_a = "plano",
+             "rx_plane"_a = "spectacle",
+             "vertex_mm"_a = 12.0,
+             "age_years"_a = 30.0,
+             "pupil"_a = "auto",
+             "pupil_formula"_a = "WATSON_YELLOTT",
+             "cd_m2_per_unit"_a = 179.0,
+             "luminance_sigma"_a = 0.5,
+             "focus"_a = "relaxed",
+             "pupil: 'auto' or mm. focus: 'relaxed', 'center' or metres.");
+
+    py::class_<RenderSettings>(m, "Settings", "How it is rendered.")
+        .def(py::init(&make_settings),
+             py::kw_only(),
+             "samples"_a = 64,
+             "max_bounces"_a = 8,
+             "seed"_a = 0,
+             "sample_range"_a = py::none(),
+             "pattern"_a = "SOBOL",
+             "passes"_a = std::vector<std::string>{"Combined"},
+             "threads"_a = 0,
+             "film_transparent"_a = false,
+             "filter_width_px"_a = 1.5,
+             "sample_range: (first, last), last excluded, in place of samples. threads: 0 for all.");
+
+    py::class_<Engine>(m, "Session", "One render: start, wait, look, cancel.")
+        .def(py::init([](const std::shared_ptr<SceneBuilder>& scene,
+                         const Observer& observer,
+                         const RenderSettings& settings) {
+                 const py::gil_scoped_release release;
+                 return std::make_unique<Engine>(scene, observer, settings);
+             }),
+             "scene"_a,
+             "observer"_a,
+             "settings"_a,
+             "Checks, plans and builds; starts nothing.")
+        .def("start", [](Engine& engine) { engine.session().start(); })
+        .def("cancel", [](Engine& engine) { engine.session().cancel(); })
+        .def(
+            "wait",
+            [](Engine& engine, double timeout_s) {
+                return engine.session().wait(std::chrono::duration<double>(timeout_s));
+            },
+            "timeout_s"_a,
+            py::call_guard<py::gil_scoped_release>(),
+            "True when the render has ended.")
+        .def("snapshot", &snapshot, "{pass: float32 (height, width, channels)}, rows bottom-up.")
+        .def_property_readonly(
+            "samples_done", [](Engine& engine) { return engine.session().samples_done(); })
+        .def_property_readonly(
+            "samples_total", [](Engine& engine) { return engine.session().samples_total(); })
+        .def_property_readonly("progress", [](Engine& engine) { return engine.session().progress(); })
+        .def_property_readonly("error", [](Engine& engine) { return engine.session().error(); })
+        .def_property_readonly("plan_text", [](const Engine& engine) { return engine.plan().text(); })
+        .def_property_readonly("warnings", &Engine::warnings)
+        .def_property_readonly("metadata", &Engine::metadata)
+        .def_property_readonly("pupil_mm", [](const Engine& engine) { return engine.eye().pupil_mm; })
+        .def_property_readonly("luminance_cd_m2",
+                               [](const Engine& engine) { return engine.eye().luminance_cd_m2; })
+        .def_property_readonly("pupil_report", &Engine::pupil_report)
+        .def_property_readonly(
+            "accommodation_d", [](const Engine& engine) { return engine.eye().accommodation_d; });
+
+    m.def("render",
+          &render,
+          "scene"_a,
+          "observer"_a,
+          "settings"_a,
+          "Renders to the end; {pass: float32 (height, width, channels)}, rows bottom-up.");
+}
+
+}  // namespace eye_render

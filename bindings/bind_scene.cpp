@@ -1,0 +1,406 @@
+// eyecore.Scene: meshes, materials, lights and camera from NumPy arrays.
+
+#include "api/scene_builder.h"
+#include "module.h"
+
+#include <cmath>
+#include <map>
+#include <optional>
+
+namespace eye_render {
+
+namespace {
+
+struct ImageInput {
+    int texture;
+    std::string uv_layer;
+    Channel channel;
+};
+
+struct AttributeInput {
+    std::string name;
+    Channel channel;
+};
+
+Channel channel_named(const std::string& name)
+{
+    return named<Channel>(
+        "channel", name, {{"COLOR", Channel::Color}, {"AVERAGE", Channel::Average}, {"ALPHA", Channel::Alpha}});
+}
+
+TextureOptions texture_options(const std::string& colorspace,
+                               const std::string& extension,
+                               const std::string& interpolation)
+{
+    return {.colorspace = named<Colorspace>("colorspace",
+                                            colorspace,
+                                            {{"sRGB", Colorspace::Srgb},
+                                             {"Linear", Colorspace::Linear},
+                                             {"Non-Color", Colorspace::NonColor}}),
+            .extension = named<Extension>("extension",
+                                          extension,
+                                          {{"REPEAT", Extension::Repeat},
+                                           {"EXTEND", Extension::Extend},
+                                           {"CLIP", Extension::Clip}}),
+            .interpolation = named<Interpolation>(
+                "interpolation",
+                interpolation,
+                {{"Linear", Interpolation::Linear}, {"Closest", Interpolation::Closest}})};
+}
+
+Color3f color_from(const py::handle& value)
+{
+    const auto c = value.cast<std::array<float, 3>>();
+    return {c[0], c[1], c[2]};
+}
+
+MaterialInput input_from(SceneBuilder& scene, const py::handle& value)
+{
+    MaterialInput input;
+    if (py::isinstance<ImageInput>(value)) {
+        const auto& image = value.cast<const ImageInput&>();
+        if (image.texture < 0 || image.texture >= scene.textures().size()) {
+            throw std::invalid_argument("texture " + std::to_string(image.texture) +
+                                        " does not exist");
+        }
+        input.texture = image.texture;
+        input.uv_layer = scene.uv_layer(image.uv_layer);
+        input.channel = image.channel;
+    }
+    else if (py::isinstance<AttributeInput>(value)) {
+        const auto& attribute = value.cast<const AttributeInput&>();
+        input.color_attribute = scene.color_attribute(attribute.name);
+        input.channel = attribute.channel;
+    }
+    else if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
+        input.constant = Color3f(value.cast<float>());
+    }
+    else {
+        input.constant = color_from(value);
+    }
+    return input;
+}
+
+std::size_t add_material(SceneBuilder& scene,
+                         const std::string& name,
+                         const std::string& surface,
+                         bool multiple_scattering,
+                         const py::kwargs& inputs)
+{
+    Material material;
+    material.name = name;
+    material.multiple_scattering = multiple_scattering;
+    material.surface = named<Surface>("surface",
+                                      surface,
+                                      {{"PRINCIPLED", Surface::Principled},
+                                       {"DIFFUSE", Surface::Diffuse},
+                                       {"GLOSSY", Surface::Glossy},
+                                       {"GLASS", Surface::Glass},
+                                       {"EMISSION", Surface::Emission},
+                                       {"TRANSPARENT", Surface::Transparent}});
+    for (const auto& [key, value] : inputs) {
+        MaterialInput Material::*const member =
+            named<MaterialInput Material::*>("input of material '" + name + "'",
+                                             key.cast<std::string>(),
+                                             {{"base_color", &Material::base_color},
+                                              {"metallic", &Material::metallic},
+                                              {"roughness", &Material::roughness},
+                                              {"specular", &Material::specular},
+                                              {"ior", &Material::ior},
+                                              {"transmission", &Material::transmission},
+                                              {"alpha", &Material::alpha},
+                                              {"emission_color", &Material::emission_color},
+                                              {"emission_strength", &Material::emission_strength},
+                                              {"normal_map", &Material::normal_map},
+                                              {"normal_strength", &Material::normal_strength}});
+        material.*member = input_from(scene, value);
+    }
+    return scene.add_material(std::move(material));
+}
+
+std::size_t add_mesh(SceneBuilder& scene,
+                     const std::string& name,
+                     const Array<float>& positions,
+                     const Array<std::uint32_t>& triangles,
+                     const std::optional<Array<float>>& normals,
+                     const std::map<std::string, Array<float>>& uvs,
+                     const std::map<std::string, Array<float>>& colors,
+                     const std::optional<Array<std::int32_t>>& material_slots,
+                     const std::string& active_uv)
+{
+    Mesh mesh;
+    mesh.name = name;
+    mesh.positions = rows<V3f>(positions, "positions");
+    mesh.triangles = rows<TriangleIndices>(triangles, "triangles");
+    if (normals) {
+        mesh.normals = rows<V3f>(*normals, "normals");
+        mesh.normal_domain = mesh.normals.size() == mesh.positions.size()
+                                 ? NormalDomain::PerVertex
+                                 : NormalDomain::PerCorner;
+    }
+    for (const auto& [layer, values] : uvs) {
+        const auto at = layer == active_uv ? mesh.uv_layers.begin() : mesh.uv_layers.end();
+        mesh.uv_layers.insert(at, {layer, rows<V2f>(values, "UV layer '" + layer + "'")});
+    }
+    for (const auto& [attribute, values] : colors) {
+        mesh.color_attributes.push_back(
+            {attribute, rows<Color4f>(values, "colour attribute '" + attribute + "'")});
+    }
+    if (material_slots) {
+        mesh.material_slots.assign(material_slots->data(),
+                                   material_slots->data() + material_slots->size());
+    }
+    return scene.add_mesh(std::move(mesh));
+}
+
+void add_instances(SceneBuilder& scene,
+                   std::size_t mesh,
+                   const Array<double>& world_from_object,
+                   const std::vector<std::size_t>& materials)
+{
+    if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
+        world_from_object.shape(2) != 4) {
+        throw std::invalid_argument("world_from_object has shape " +
+                                    shape_text(world_from_object) + "; expected (n, 4, 4)");
+    }
+    for (py::ssize_t i = 0; i < world_from_object.shape(0); ++i) {
+        scene.add_instance({.mesh = mesh,
+                            .world_from_object = matrix_from(world_from_object.data(i, 0, 0)),
+                            .materials = materials});
+    }
+}
+
+void add_light(SceneBuilder& scene,
+               const std::string& name,
+               const std::string& kind,
+               const Array<double>& world_from_light,
+               const py::object& color,
+               float radius,
+               float angle_rad,
+               float spot_angle_rad,
+               float spot_blend,
+               const std::string& shape,
+               float size_x,
+               float size_y,
+               float spread_rad,
+               bool casts_shadow)
+{
+    LampSettings settings;
+    settings.kind = named<LampKind>("kind",
+                                    kind,
+                                    {{"POINT", LampKind::Point},
+                                     {"SUN", LampKind::Sun},
+                                     {"SPOT", LampKind::Spot},
+                                     {"AREA", LampKind::Area}});
+    settings.color = color_from(color);
+    settings.radius = radius;
+    settings.angle_rad = angle_rad;
+    settings.spot_angle_rad = spot_angle_rad;
+    settings.spot_blend = spot_blend;
+    settings.shape = named<LampShape>(
+        "shape", shape, {{"RECTANGLE", LampShape::Rectangle}, {"DISK", LampShape::Disk}});
+    settings.size_x = size_x;
+    settings.size_y = size_y;
+    settings.spread_rad = spread_rad;
+    settings.casts_shadow = casts_shadow;
+    scene.add_lamp({.name = name,
+                    .settings = settings,
+                    .world_from_light = matrix_from(world_from_light, "world_from_light")});
+}
+
+void set_world(SceneBuilder& scene,
+               const py::object& color,
+               float strength,
+               std::optional<int> texture,
+               const std::optional<Array<float>>& texture_from_world)
+{
+    EnvironmentSettings world;
+    world.color = color_from(color);
+    world.strength = strength;
+    world.texture = texture.value_or(EnvironmentSettings::none);
+    if (texture_from_world) {
+        const auto matrix_rows = rows<V3f>(*texture_from_world, "texture_from_world");
+        if (matrix_rows.size() != 3) {
+            throw std::invalid_argument("texture_from_world has shape " +
+                                        shape_text(*texture_from_world) + "; expected (3, 3)");
+        }
+        for (int i = 0; i < 3; ++i) {
+            for (int j = 0; j < 3; ++j) {
+                world.texture_from_world[j][i] = matrix_rows[static_cast<std::size_t>(i)][j];
+            }
+        }
+    }
+    scene.set_world(world);
+}
+
+void set_camera(SceneBuilder& scene,
+                const Array<double>& world_from_camera,
+                const std::array<double, 4>& slope_bounds,
+                const std::array<int, 2>& resolution,
+                const std::optional<std::array<int, 4>>& border,
+                const std::array<double, 2>& clip,
+                double metres_per_unit)
+{
+    const M44d matrix = matrix_from(world_from_camera, "world_from_camera");
+    const auto row = [&matrix](int i) { return V3d(matrix[i][0], matrix[i][1], matrix[i][2]); };
+    CameraFrame frame;
+    frame.position_world = row(3);
+    // A camera's scale means nothing, as in Blender.
+    frame.axis_x = row(0).normalized();
+    frame.axis_y = row(1).normalized();
+    frame.axis_z = row(2).normalized();
+    frame.slope_left = slope_bounds[0];
+    frame.slope_right = slope_bounds[1];
+    frame.slope_bottom = slope_bounds[2];
+    frame.slope_top = slope_bounds[3];
+    frame.width_px = resolution[0];
+    frame.height_px = resolution[1];
+    frame.border = border ? PixelBounds{(*border)[0], (*border)[1], (*border)[2], (*border)[3]}
+                          : PixelBounds{0, 0, resolution[0], resolution[1]};
+    frame.clip_near = clip[0];
+    frame.clip_far = clip[1];
+    frame.metres_per_unit = metres_per_unit;
+    scene.set_camera(frame);
+}
+
+template <typename Pixels, typename Number>
+int add_pixels(SceneBuilder& scene,
+               const std::string& name,
+               const Array<Number>& pixels,
+               const TextureOptions& options)
+{
+    if (pixels.ndim() != 3 || pixels.shape(2) != 4) {
+        throw std::invalid_argument("pixels of '" + name + "' have shape " + shape_text(pixels) +
+                                    "; expected (height, width, 4)");
+    }
+    return scene.textures().add_pixels(
+        name,
+        Pixels{.width = static_cast<int>(pixels.shape(1)),
+               .height = static_cast<int>(pixels.shape(0)),
+               .rgba = {pixels.data(), static_cast<std::size_t>(pixels.size())}},
+        options);
+}
+
+}  // namespace
+
+void bind_scene(py::module_& m)
+{
+    using namespace py::literals;
+
+    py::class_<ImageInput>(m, "ImageInput", "A material input read from a texture of the scene.")
+        .def(py::init([](int texture, const std::string& uv_layer, const std::string& channel) {
+                 return ImageInput{texture, uv_layer, channel_named(channel)};
+             }),
+             "texture"_a,
+             "uv_layer"_a = "",
+             "channel"_a = "COLOR");
+    py::class_<AttributeInput>(m, "AttributeInput", "A material input read from a colour attribute.")
+        .def(py::init([](const std::string& name, const std::string& channel) {
+                 return AttributeInput{name, channel_named(channel)};
+             }),
+             "name"_a,
+             "channel"_a = "COLOR");
+
+    py::class_<SceneBuilder, std::shared_ptr<SceneBuilder>>(m, "Scene", "What is to be seen.")
+        .def(py::init<>())
+        .def(
+            "add_texture",
+            [](SceneBuilder& scene,
+               const std::string& path,
+               const std::string& colorspace,
+               const std::string& extension,
+               const std::string& interpolation) {
+                return scene.textures().add_file(
+                    path, texture_options(colorspace, extension, interpolation));
+            },
+            "path"_a,
+            py::kw_only(),
+            "colorspace"_a = "sRGB",
+            "extension"_a = "REPEAT",
+            "interpolation"_a = "Linear",
+            "Number of the texture. A file that cannot be read shows magenta and a warning.")
+        .def(
+            "add_texture_pixels",
+            [](SceneBuilder& scene,
+               const std::string& name,
+               const py::array& pixels,
+               const std::string& colorspace,
+               const std::string& extension,
+               const std::string& interpolation) {
+                const auto options = texture_options(colorspace, extension, interpolation);
+                if (py::isinstance<py::array_t<std::uint8_t>>(pixels)) {
+                    return add_pixels<PixelsU8>(scene, name, Array<std::uint8_t>(pixels), options);
+                }
+                return add_pixels<PixelsF32>(scene, name, Array<float>(pixels), options);
+            },
+            "name"_a,
+            "pixels"_a,
+            py::kw_only(),
+            "colorspace"_a = "sRGB",
+            "extension"_a = "REPEAT",
+            "interpolation"_a = "Linear",
+            "Number of a texture from pixels (height, width, 4), uint8 or float32, rows bottom-up.")
+        .def("add_material",
+             &add_material,
+             "name"_a,
+             "surface"_a = "PRINCIPLED",
+             "multiple_scattering"_a = true,
+             "Number of a material; inputs are numbers, colours, ImageInput or AttributeInput.")
+        .def("add_mesh",
+             &add_mesh,
+             "name"_a,
+             "positions"_a,
+             "triangles"_a,
+             py::kw_only(),
+             "normals"_a = py::none(),
+             "uvs"_a = py::dict(),
+             "colors"_a = py::dict(),
+             "material_slots"_a = py::none(),
+             "active_uv"_a = "",
+             "Number of a mesh: positions (n, 3), triangles (m, 3), normals (n, 3) or (3 m, 3),\n"
+             "UV layers (3 m, 2), colours (3 m, 4) linear, material_slots (m,).")
+        .def("add_instances",
+             &add_instances,
+             "mesh"_a,
+             "world_from_object"_a,
+             "materials"_a = py::list(),
+             "Places a mesh at each of the matrices (n, 4, 4), one material a slot.")
+        .def("add_light",
+             &add_light,
+             "name"_a,
+             "kind"_a,
+             "world_from_light"_a,
+             "color"_a,
+             py::kw_only(),
+             "radius"_a = 0.0f,
+             "angle_rad"_a = 0.0f,
+             "spot_angle_rad"_a = 0.785398f,
+             "spot_blend"_a = 0.15f,
+             "shape"_a = "RECTANGLE",
+             "size_x"_a = 1.0f,
+             "size_y"_a = 1.0f,
+             "spread_rad"_a = 3.1415927f,
+             "casts_shadow"_a = true,
+             "color is colour times energy: W, for the sun W/m^2.")
+        .def("set_world",
+             &set_world,
+             "color"_a = py::make_tuple(0.0, 0.0, 0.0),
+             "strength"_a = 1.0f,
+             "texture"_a = py::none(),
+             "texture_from_world"_a = py::none(),
+             "Radiance = strength times colour, or times an equirectangular texture.")
+        .def("set_camera",
+             &set_camera,
+             "world_from_camera"_a,
+             "slope_bounds"_a,
+             "resolution"_a,
+             "border"_a = py::none(),
+             "clip"_a = std::array<double, 2>{0.001, 1e9},
+             "metres_per_unit"_a = 1.0,
+             "slope_bounds: left, right, bottom, top of the full frame, as slopes; border: x0, y0,\n"
+             "x1, y1 in pixels, x1 and y1 excluded, from the lower left.")
+        .def("uv_layers_read", &SceneBuilder::uv_layers_read, "materials"_a)
+        .def("color_attributes_read", &SceneBuilder::color_attributes_read, "materials"_a);
+}
+
+}  // namespace eye_render

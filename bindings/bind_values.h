@@ -1,0 +1,55 @@
+// Names and prescriptions as Python says them.
+
+#pragma once
+
+#include "eye/eye_factory.h"
+#include "module.h"
+#include "optics/prescription_text.h"
+
+#include <string>
+
+namespace eye_render {
+
+// The names of a table of enumerators that have to_string.
+template <typename Table>
+[[nodiscard]] py::list names_of(const Table& table)
+{
+    py::list names;
+    for (const auto entry : table) {
+        names.append(std::string(to_string(entry)));
+    }
+    return names;
+}
+
+// The enumerator with that name, or an error that lists the names.
+template <typename Table>
+[[nodiscard]] typename Table::value_type
+named_of(const std::string& what, const std::string& name, const Table& table)
+{
+    std::string names;
+    for (const auto entry : table) {
+        if (to_string(entry) == name) {
+            return entry;
+        }
+        names += (names.empty() ? "" : ", ") + std::string(to_string(entry));
+    }
+    throw std::invalid_argument(what + " is '" + name + "'; expected one of " + names);
+}
+
+[[nodiscard]] inline RxPlane rx_plane_named(const std::string& name)
+{
+    return named<RxPlane>("rx_plane",
+                          name,
+                          {{"spectacle", RxPlane::Spectacle},
+                           {"cornea", RxPlane::Cornea},
+                           {"entrance_pupil", RxPlane::EntrancePupil}});
+}
+
+// A Prescription, or a text to be parsed.
+[[nodiscard]] inline Prescription prescription_from_python(const py::object& rx)
+{
+    return py::isinstance<py::str>(rx) ? parse_prescription(rx.cast<std::string>())
+                                       : rx.cast<Prescription>();
+}
+
+}  // namespace eye_render

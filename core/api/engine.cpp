@@ -1,0 +1,115 @@
+#include "api/engine.h"
+
+#include "base/error.h"
+#include "optics/prescription_text.h"
+
+namespace eye_render {
+
+namespace {
+
+void require_valid(const RenderSettings& settings)
+{
+    if (settings.samples.last <= settings.samples.first) {
+        throw std::invalid_argument("sample range is " + std::to_string(settings.samples.first) +
+                                    ":" + std::to_string(settings.samples.last) +
+                                    "; expected FIRST:LAST with FIRST below LAST");
+    }
+    // 2^24 samples a pixel: the last number of the Sobol index that still is stratified in float.
+    require_range("samples", settings.samples.last, 1, 1 << 24, "");
+    require_range("max_bounces", settings.max_bounces, 0, 1024, "");
+    require_range("threads", settings.threads, 0, 4096, "");
+    if (settings.passes.empty()) {
+        throw std::invalid_argument("no passes are asked for; expected at least one");
+    }
+}
+
+void require_valid(const Observer& observer)
+{
+    require_range("age", observer.age_years, 0, 120, "years");
+    require_range("cd_m2_per_unit", observer.cd_m2_per_unit, 1e-12, 1e12, "cd/m2");
+    require_range("luminance_sigma", observer.luminance_sigma, 1e-3, 1e6, "");
+    if (observer.pupil_mm) {
+        require_range("pupil", *observer.pupil_mm, 0.0, 9.0, "mm");
+    }
+    eye_render::require_valid(observer.rx);
+}
+
+}  // namespace
+
+Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
+               const Observer& observer,
+               const RenderSettings& settings)
+    : scene_data_(std::move(scene)), observer_(observer), settings_(settings)
+{
+    require_valid(settings);
+    require_valid(observer);
+    const CameraFrame& frame = scene_data_->camera();
+    const SceneData& data = scene_data_->data();
+
+    RenderJob job;
+    job.filter = PixelFilter(settings.filter_width_px);
+    job.scene = std::make_shared<Scene>(data, frame.position_world);
+    job.frame = frame;
+    eye_ = make_observer_eye(observer, job.scene, frame);
+    plan_ = make_plan(data, frame, *eye_.model, settings.passes);
+    job.eye = eye_.model;
+    job.pattern = make_pupil_pattern(settings.pattern, settings.samples.last);
+    job.lens = plan_.lens;
+    job.integrator = {.max_bounces = settings.max_bounces,
+                      .film_transparent = settings.film_transparent,
+                      .first_surface = plan_.first_surface};
+    job.seed = settings.seed;
+    session_ = std::make_unique<Session>(
+        std::move(job),
+        SessionSettings{.samples = settings.samples,
+                        .passes = settings.passes,
+                        .chief_rays = plan_.chief_ray,
+                        .threads = settings.threads});
+}
+
+std::vector<std::string> Engine::warnings() const
+{
+    std::vector<std::string> all = scene_data_->warnings();
+    all.insert(all.end(), eye_.notes.begin(), eye_.notes.end());
+    return all;
+}
+
+std::string Engine::pupil_report() const
+{
+    if (observer_.model == EyeModelKind::Pinhole) {
+        return "a pinhole";
+    }
+    std::string text = number_text(eye_.pupil_mm) + " mm";
+    if (!observer_.pupil_mm) {
+        text += " (" + std::string(to_string(observer_.pupil_formula)) + ", " +
+                number_text(eye_.luminance_cd_m2) + " cd/m2 over " +
+                number_text(eye_.field_area_deg2) + " deg2)";
+    }
+    return text;
+}
+
+std::map<std::string, std::string> Engine::metadata() const
+{
+    std::map<std::string, std::string> entries{
+        {"rx", format_prescription(observer_.rx)},
+        {"model", std::string(to_string(observer_.model))},
+        {"pupil_mm", number_text(eye_.pupil_mm)},
+        {"accommodation_d", number_text(eye_.accommodation_d)},
+        {"age_years", number_text(observer_.age_years)},
+        {"samples",
+         std::to_string(settings_.samples.first) + ":" + std::to_string(settings_.samples.last)},
+        {"seed", std::to_string(settings_.seed)},
+        {"pupil_pattern", std::string(to_string(settings_.pattern))},
+    };
+    if (!observer_.pupil_mm && observer_.model != EyeModelKind::Pinhole) {
+        entries["pupil_formula"] = to_string(observer_.pupil_formula);
+        entries["luminance_cd_m2"] = number_text(eye_.luminance_cd_m2);
+        entries["field_area_deg2"] = number_text(eye_.field_area_deg2);
+    }
+    if (observer_.focus != FocusMode::Relaxed) {
+        entries["focus_m"] = number_text(eye_.focus_distance_m);
+    }
+    return entries;
+}
+
+}  // namespace eye_render

@@ -1,0 +1,46 @@
+// The observer and the render, as the outside says them: plain values in the user's units. engine.h
+// turns them into an eye and a session.
+
+#pragma once
+
+#include "eye/eye_factory.h"
+#include "eye/pupil_pattern.h"
+#include "eye/pupil_size.h"
+#include "optics/prescription.h"
+#include "render/passes.h"
+#include "render/tracer.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eye_render {
+
+enum class FocusMode { Relaxed, Distance, Center };
+
+struct Observer {
+    EyeModelKind model = EyeModelKind::Paraxial;
+    Prescription rx;
+    RxPlane rx_plane = RxPlane::Spectacle;
+    double vertex_mm = 12.0;
+    double age_years = 30.0;
+    std::optional<double> pupil_mm;  // nothing: from the light of the scene
+    PupilFormula pupil_formula = PupilFormula::WatsonYellott;
+    double cd_m2_per_unit = 179.0;   // luminance of radiance 1 in all channels
+    double luminance_sigma = 0.5;    // of the Gaussian weight, in half picture heights and widths
+    FocusMode focus = FocusMode::Relaxed;
+    double focus_distance_m = 0.0;   // with FocusMode::Distance, from the entrance pupil
+};
+
+struct RenderSettings {
+    SampleRange samples{.first = 0, .last = 64};
+    int max_bounces = 8;
+    std::uint64_t seed = 0;
+    PupilPatternKind pattern = PupilPatternKind::Sobol;
+    std::vector<Pass> passes{Pass::Combined};
+    int threads = 0;  // 0: all the processor has
+    bool film_transparent = false;
+    double filter_width_px = 1.5;
+};
+
+}  // namespace eye_render

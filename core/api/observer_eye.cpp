@@ -1,0 +1,154 @@
+#include "api/observer_eye.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "eye/accommodation.h"
+#include "eye/field_luminance.h"
+#include "render/tracer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace eye_render {
+
+namespace {
+
+// The picture from which the pupil takes its luminance: coarse, since only its mean is wanted. 64
+// pixels by 32 samples estimate the mean of a hall to about 1 %, which moves the pupil by 0.01 mm.
+constexpr int luminance_width_px = 64;
+constexpr std::uint32_t luminance_samples = 32;
+constexpr int luminance_bounces = 4;
+
+EyeSpec spec_of(const Observer& observer)
+{
+    return {.model = observer.model,
+            .rx = observer.rx,
+            .rx_plane = observer.rx_plane,
+            .vertex_m = m_from_mm(observer.vertex_mm)};
+}
+
+double focus_distance_m(const Observer& observer, const Scene& scene, const CameraFrame& frame)
+{
+    switch (observer.focus) {
+    case FocusMode::Distance:
+        require_range("focus distance", observer.focus_distance_m, 0.01, 1e12, "m");
+        return observer.focus_distance_m;
+    case FocusMode::Center:
+        return distance_along_m(scene,
+                                frame,
+                                V2d(0.5 * (frame.slope_left + frame.slope_right),
+                                    0.5 * (frame.slope_bottom + frame.slope_top)));
+    case FocusMode::Relaxed: break;
+    }
+    return std::numeric_limits<double>::infinity();
+}
+
+void accommodate(ObserverEye& eye, const Observer& observer)
+{
+    if (observer.focus == FocusMode::Relaxed) {
+        return;
+    }
+    // The relaxed eye's K is minus its prescription at the plane where its own model works.
+    const PowerMatrix rx =
+        PowerMatrix{} - make_eye(spec_of(observer))->retinal_conjugate_d();
+    const double amplitude_d = accommodation_amplitude_d(observer.age_years);
+    const double wanted_d = 1.0 / eye.focus_distance_m + rx.mean_d();
+    eye.accommodation_d = best_accommodation_d(rx, 1.0 / eye.focus_distance_m, amplitude_d);
+    const std::string object = "at " + number_text(eye.focus_distance_m) + " m";
+    if (wanted_d > amplitude_d) {
+        eye.notes.push_back("focus: seeing sharply " + object + " takes " + number_text(wanted_d) +
+                            " D of accommodation; at " + number_text(observer.age_years) +
+                            " years there are " + number_text(amplitude_d) + " D");
+    }
+    else if (wanted_d < 0.0) {
+        eye.notes.push_back("focus: what lies " + object +
+                            " is beyond the far point; the relaxed eye is " +
+                            number_text(-wanted_d) + " D too strong for it");
+    }
+}
+
+// The scene as a small picture without blur. The pupil answers to the whole field, whatever part of
+// it is rendered.
+std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
+                                    const CameraFrame& full_frame,
+                                    std::size_t& width)
+{
+    RenderJob job;
+    job.scene = scene;
+    job.frame = full_frame;
+    CameraFrame& frame = job.frame;
+    frame.width_px = std::min(full_frame.width_px, luminance_width_px);
+    frame.height_px = std::max(
+        1, full_frame.height_px * frame.width_px / full_frame.width_px);
+    frame.border = {0, 0, frame.width_px, frame.height_px};
+    job.eye = make_eye({.model = EyeModelKind::Pinhole});
+    job.lens = false;
+    job.integrator.max_bounces = luminance_bounces;
+    Film film(frame.border, {});
+    const std::atomic<bool> never_cancelled{false};
+    trace_samples(job, {.first = 0, .last = luminance_samples}, film, never_cancelled);
+    const Pass combined[] = {Pass::Combined};
+    const PassImage image = film.snapshot(combined).front();
+    std::vector<Color3f> radiance;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
+        radiance.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
+    }
+    width = static_cast<std::size_t>(image.width);
+    return radiance;
+}
+
+void adapt_pupil(ObserverEye& eye,
+                 const Observer& observer,
+                 const std::shared_ptr<const Scene>& scene,
+                 const CameraFrame& frame)
+{
+    if (observer.pupil_mm) {
+        eye.pupil_mm = *observer.pupil_mm;
+        return;
+    }
+    std::size_t width = 0;
+    const std::vector<Color3f> radiance = field_radiance(scene, frame, width);
+    const bool as_in_paper = observer.pupil_formula == PupilFormula::Paper;
+    eye.luminance_cd_m2 = field_luminance_cd_m2(
+        radiance,
+        width,
+        {.weights = as_in_paper ? LuminanceWeights::Paper : LuminanceWeights::Rec709,
+         .sigma = observer.luminance_sigma,
+         .cd_m2_per_unit = observer.cd_m2_per_unit});
+    eye.field_area_deg2 = field_area_deg2({.left = frame.slope_left,
+                                           .right = frame.slope_right,
+                                           .bottom = frame.slope_bottom,
+                                           .top = frame.slope_top});
+    const PupilSize size = pupil_size(observer.pupil_formula,
+                                      {.luminance_cd_m2 = eye.luminance_cd_m2,
+                                       .area_deg2 = eye.field_area_deg2,
+                                       .age_years = observer.age_years});
+    eye.pupil_mm = mm_from_m(size.diameter_m);
+    for (const std::string& clamp : size.clamps) {
+        eye.notes.push_back("pupil: " + clamp);
+    }
+}
+
+}  // namespace
+
+ObserverEye make_observer_eye(const Observer& observer,
+                              const std::shared_ptr<const Scene>& scene,
+                              const CameraFrame& frame)
+{
+    ObserverEye eye;
+    eye.focus_distance_m = focus_distance_m(observer, *scene, frame);
+    if (observer.model == EyeModelKind::Pinhole) {
+        eye.model = make_eye({.model = EyeModelKind::Pinhole});
+        return eye;
+    }
+    accommodate(eye, observer);
+    adapt_pupil(eye, observer, scene, frame);
+    EyeSpec spec = spec_of(observer);
+    spec.pupil_diameter_m = m_from_mm(eye.pupil_mm);
+    spec.accommodation_d = eye.accommodation_d;
+    eye.model = make_eye(spec);
+    return eye;
+}
+
+}  // namespace eye_render

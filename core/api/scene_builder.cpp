@@ -1,0 +1,221 @@
+#include "api/scene_builder.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace eye_render {
+
+namespace {
+
+void require_index(const std::string& what, std::size_t index, std::size_t count)
+{
+    if (index >= count) {
+        throw std::invalid_argument(what + " " + std::to_string(index) + " does not exist; there " +
+                                    (count == 1 ? "is 1" : "are " + std::to_string(count)));
+    }
+}
+
+void require_finite(const std::string& what, const M44d& matrix)
+{
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            if (!std::isfinite(matrix[i][j])) {
+                throw std::invalid_argument(what + " has an entry that is not finite");
+            }
+        }
+    }
+}
+
+int intern(std::vector<std::string>& names, const std::string& name)
+{
+    const auto found = std::ranges::find(names, name);
+    if (found != names.end()) {
+        return static_cast<int>(found - names.begin());
+    }
+    names.push_back(name);
+    return static_cast<int>(names.size() - 1);
+}
+
+std::vector<std::string> pick(const std::vector<std::string>& names, const std::vector<int>& layers)
+{
+    std::vector<std::string> picked;
+    for (const int layer : layers) {
+        picked.push_back(names[static_cast<std::size_t>(layer)]);
+    }
+    return picked;
+}
+
+bool is_finite(const V3f& p) { return std::isfinite(p.x + p.y + p.z); }
+
+// Leaves out triangles with a corner that is not finite; returns how many. One bad vertex must not
+// cost a user the picture, and must not reach the boxes that plan and lights are made from.
+std::size_t drop_broken_triangles(Mesh& mesh)
+{
+    const auto is_broken = [&mesh](const TriangleIndices& triangle) {
+        return std::ranges::any_of(triangle, [&mesh](std::uint32_t index) {
+            return !is_finite(mesh.positions[index]);
+        });
+    };
+    if (std::ranges::all_of(mesh.positions, is_finite)) {
+        return 0;
+    }
+    std::vector<bool> keep;
+    keep.reserve(mesh.triangles.size());
+    for (const TriangleIndices& triangle : mesh.triangles) {
+        keep.push_back(!is_broken(triangle));
+    }
+    const auto filter = [&keep](auto& values, std::size_t per_triangle) {
+        std::size_t kept = 0;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (keep[i / per_triangle]) {
+                values[kept++] = values[i];
+            }
+        }
+        values.resize(kept);
+    };
+    const std::size_t before = mesh.triangles.size();
+    filter(mesh.triangles, 1);
+    filter(mesh.material_slots, 1);
+    if (mesh.normal_domain == NormalDomain::PerCorner) {
+        filter(mesh.normals, 3);
+    }
+    for (UvLayer& layer : mesh.uv_layers) {
+        filter(layer.per_corner, 3);
+    }
+    for (ColorAttribute& attribute : mesh.color_attributes) {
+        filter(attribute.per_corner, 3);
+    }
+    for (V3f& p : mesh.positions) {
+        p = is_finite(p) ? p : V3f(0.0f);  // no triangle refers to it any more
+    }
+    return before - mesh.triangles.size();
+}
+
+}  // namespace
+
+std::size_t SceneBuilder::add_mesh(Mesh mesh)
+{
+    validate(mesh);
+    const std::size_t dropped = drop_broken_triangles(mesh);
+    if (dropped > 0) {
+        warnings_.push_back("mesh '" + mesh.name + "': " + std::to_string(dropped) +
+                            " triangles with a corner that is not finite are left out");
+    }
+    data_.meshes.push_back(std::move(mesh));
+    return data_.meshes.size() - 1;
+}
+
+std::size_t SceneBuilder::add_material(Material material)
+{
+    data_.materials.push_back(std::move(material));
+    return data_.materials.size() - 1;
+}
+
+void SceneBuilder::add_instance(InstanceData instance)
+{
+    require_index("mesh", instance.mesh, data_.meshes.size());
+    require_finite("world_from_object of mesh '" + data_.meshes[instance.mesh].name + "'",
+                   instance.world_from_object);
+    for (const std::size_t material : instance.materials) {
+        require_index("material", material, data_.materials.size());
+    }
+    data_.instances.push_back(std::move(instance));
+}
+
+void SceneBuilder::add_lamp(const LampData& lamp)
+{
+    require_finite("world_from_light of lamp '" + lamp.name + "'", lamp.world_from_light);
+    try {
+        static_cast<void>(make_lamp(lamp.settings));  // for its checks
+    }
+    catch (const std::invalid_argument& error) {
+        throw std::invalid_argument("lamp '" + lamp.name + "': " + error.what());
+    }
+    data_.lamps.push_back(lamp);
+}
+
+void SceneBuilder::set_world(const EnvironmentSettings& world)
+{
+    require_range(
+        "world strength", static_cast<double>(world.strength), 0.0, 1e20, "");
+    if (world.texture != EnvironmentSettings::none) {
+        require_index("texture",
+                      static_cast<std::size_t>(world.texture),
+                      static_cast<std::size_t>(data_.textures.size()));
+    }
+    data_.world = world;
+}
+
+void SceneBuilder::set_camera(const CameraFrame& frame)
+{
+    require_range("resolution x", frame.width_px, 1, 65536, "px");
+    require_range("resolution y", frame.height_px, 1, 65536, "px");
+    require_range("border x0", frame.border.x0, 0, frame.width_px - 1, "px");
+    require_range("border y0", frame.border.y0, 0, frame.height_px - 1, "px");
+    require_range("border x1", frame.border.x1, frame.border.x0 + 1, frame.width_px, "px");
+    require_range("border y1", frame.border.y1, frame.border.y0 + 1, frame.height_px, "px");
+    // 1e4 is a field of view of 179.99 degrees: wider is no perspective camera.
+    require_range("slope_left", frame.slope_left, -1e4, 1e4, "");
+    require_range("slope_bottom", frame.slope_bottom, -1e4, 1e4, "");
+    require_range("slope_right", frame.slope_right, frame.slope_left + 1e-9, 1e4, "");
+    require_range("slope_top", frame.slope_top, frame.slope_bottom + 1e-9, 1e4, "");
+    require_range("clip near", frame.clip_near, 0.0, 1e30, "units");
+    require_range("clip far", frame.clip_far, frame.clip_near, 1e30, "units");
+    require_range("metres_per_unit", frame.metres_per_unit, 1e-9, 1e9, "m");
+    camera_ = frame;
+    has_camera_ = true;
+}
+
+int SceneBuilder::uv_layer(const std::string& name) { return intern(data_.uv_layer_names, name); }
+
+int SceneBuilder::color_attribute(const std::string& name)
+{
+    return intern(data_.color_attribute_names, name);
+}
+
+std::vector<const Material*>
+SceneBuilder::materials_at(const std::vector<std::size_t>& numbers) const
+{
+    std::vector<const Material*> materials;
+    for (const std::size_t number : numbers) {
+        require_index("material", number, data_.materials.size());
+        materials.push_back(&data_.materials[number]);
+    }
+    return materials;
+}
+
+std::vector<std::string>
+SceneBuilder::uv_layers_read(const std::vector<std::size_t>& materials) const
+{
+    return pick(data_.uv_layer_names, eye_render::uv_layers_read(materials_at(materials)));
+}
+
+std::vector<std::string>
+SceneBuilder::color_attributes_read(const std::vector<std::size_t>& materials) const
+{
+    return pick(data_.color_attribute_names,
+                eye_render::color_attributes_read(materials_at(materials)));
+}
+
+const CameraFrame& SceneBuilder::camera() const
+{
+    if (!has_camera_) {
+        throw std::invalid_argument("the scene has no camera");
+    }
+    return camera_;
+}
+
+std::vector<std::string> SceneBuilder::warnings() const
+{
+    std::vector<std::string> all = warnings_;
+    for (std::string& warning : data_.textures.warnings()) {
+        all.push_back(std::move(warning));
+    }
+    return all;
+}
+
+}  // namespace eye_render

@@ -1,0 +1,51 @@
+// Fills a scene from outside: every call checks what it is given, so that a scene that was built is
+// a scene that renders.
+
+#pragma once
+
+#include "render/camera.h"
+#include "scene/scene_data.h"
+
+#include <string>
+#include <vector>
+
+namespace eye_render {
+
+class SceneBuilder {
+public:
+    // Each of these returns the number by which the thing is referred to later, and throws
+    // std::invalid_argument that names what is wrong.
+    std::size_t add_mesh(Mesh mesh);
+    std::size_t add_material(Material material);
+    void add_instance(InstanceData instance);
+    void add_lamp(const LampData& lamp);
+    void set_world(const EnvironmentSettings& world);
+    void set_camera(const CameraFrame& frame);
+    [[nodiscard]] TextureSet& textures() { return data_.textures; }
+
+    // The number of a layer name, new or known. The empty name is a mesh's first layer.
+    int uv_layer(const std::string& name);
+    int color_attribute(const std::string& name);
+
+    // Names of the layers that the materials read.
+    [[nodiscard]] std::vector<std::string>
+    uv_layers_read(const std::vector<std::size_t>& materials) const;
+    [[nodiscard]] std::vector<std::string>
+    color_attributes_read(const std::vector<std::size_t>& materials) const;
+
+    [[nodiscard]] const SceneData& data() const { return data_; }
+    // Throws std::invalid_argument if set_camera was never called.
+    [[nodiscard]] const CameraFrame& camera() const;
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+private:
+    [[nodiscard]] std::vector<const Material*>
+    materials_at(const std::vector<std::size_t>& numbers) const;
+
+    SceneData data_;
+    CameraFrame camera_;
+    bool has_camera_ = false;
+    std::vector<std::string> warnings_;
+};
+
+}  // namespace eye_render

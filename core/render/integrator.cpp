@@ -1,0 +1,221 @@
+#include "render/integrator.h"
+
+#include <cmath>
+
+namespace eye_render {
+
+namespace {
+
+// Layers of straight transparency a path may pass before it is given up: enough for foliage, and an
+// end for a scene in which rounding never lets a ray out.
+constexpr int max_straight_passages = 256;
+
+// Surfaces before roulette starts: the first two carry most of the picture.
+constexpr int roulette_start = 2;
+
+float power_heuristic(float pdf, float other_pdf)
+{
+    // As a ratio, so that squares of large densities (the sun's is 1e5) cannot overflow.
+    if (!(pdf > 0.0f)) {
+        return 0.0f;
+    }
+    const float ratio = other_pdf / pdf;
+    return 1.0f / (1.0f + ratio * ratio);
+}
+
+// The last place where the path was scattered, and how: what MIS compares with.
+struct Scattering {
+    V3f p{0.0f};
+    V3f n{0.0f};
+    float pdf = 0.0f;
+    bool is_delta = true;  // the camera counts as one: no light sampling competes with its ray
+};
+
+class PathTracer {
+public:
+    PathTracer(const Scene& scene, const IntegratorSettings& settings, SampleSequence& sequence)
+        : scene_(scene), settings_(settings), sequence_(sequence)
+    {
+    }
+
+    PathRadiance trace(Ray ray)
+    {
+        for (int passages = 0; passages <= max_straight_passages;) {
+            const auto hit = scene_.intersect(ray);
+            add_lamps(ray, hit ? hit->t : ray.t_max);
+            if (!hit) {
+                add_background(ray);
+                break;
+            }
+            const ShadedPoint shaded =
+                shade(hit->material(), hit->point, scene_.attributes(*hit));
+            if (settings_.first_surface) {
+                note_first_surface(*hit, shaded);
+            }
+            add_emission(*hit, shaded.emission);
+            // The ray after the last bounce only collects what shines by itself.
+            if (bounce_ > settings_.max_bounces) {
+                break;
+            }
+            add_direct_light(*hit, shaded.bsdf);
+
+            const auto u = sequence_.next();
+            const auto sample = shaded.bsdf.sample(u[2], V2f(u[0], u[1]));
+            if (!sample) {
+                break;
+            }
+            throughput_ *= sample->weight;
+            ray.origin = offset_from_surface(hit->p_world, towards(*hit, sample->wi));
+            ray.t_min = 0.0f;
+            if (sample->is_straight) {
+                ++passages;
+                travelled_ += hit->t;
+                ray.t_max -= hit->t;
+                continue;
+            }
+            last_ = {.p = hit->p_world,
+                     .n = hit->point.ng,
+                     .pdf = sample->pdf,
+                     .is_delta = sample->is_delta};
+            travelled_ = 0.0f;
+            ray.direction = sample->wi;
+            ray.t_max = std::numeric_limits<float>::infinity();
+            ++bounce_;
+            if (!survives_roulette(u[3])) {
+                break;
+            }
+        }
+        return result_;
+    }
+
+private:
+    // The geometric normal on the side of `wi`.
+    static V3f towards(const SurfaceHit& hit, const V3f& wi)
+    {
+        return hit.point.ng.dot(wi) < 0.0f ? -hit.point.ng : hit.point.ng;
+    }
+
+    void add(const Color3f& contribution)
+    {
+        // False for NaN and infinity, too, which one bad texture pixel can bring.
+        if (max_component(contribution) > 0.0f &&
+            std::isfinite(contribution.x + contribution.y + contribution.z)) {
+            result_.radiance += contribution;
+        }
+    }
+
+    // MIS weight of light that a BSDF-sampled ray found and light sampling finds with `light_pdf`.
+    float weight_against(float light_pdf) const
+    {
+        return last_.is_delta ? 1.0f : power_heuristic(last_.pdf, light_pdf);
+    }
+
+    void add_lamps(const Ray& ray, float t_end)
+    {
+        if (bounce_ == 0) {
+            return;
+        }
+        scene_.visit_lamps(last_.p,
+                           last_.n,
+                           ray.direction,
+                           travelled_,
+                           travelled_ + t_end,
+                           [this](const LampContribution& lamp) {
+                               add(throughput_ * lamp.radiance *
+                                   weight_against(lamp.pdf));
+                           });
+    }
+
+    void add_background(const Ray& ray)
+    {
+        if (bounce_ == 0 && settings_.film_transparent) {
+            // What straight passages took away stays in the picture as coverage.
+            result_.alpha = 1.0f - std::min(1.0f, luminance(throughput_));
+            return;
+        }
+        const float light_pdf =
+            last_.is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_.p, last_.n);
+        add(throughput_ * scene_.background(ray.direction) * weight_against(light_pdf));
+    }
+
+    void add_emission(const SurfaceHit& hit, const Color3f& emission)
+    {
+        if (max_component(emission) > 0.0f) {
+            const float light_pdf = last_.is_delta ? 0.0f : scene_.emitter_pdf(hit, last_.p, last_.n);
+            add(throughput_ * emission * weight_against(light_pdf));
+        }
+    }
+
+    void add_direct_light(const SurfaceHit& hit, const Bsdf& bsdf)
+    {
+        if (bsdf.is_delta_only()) {
+            return;
+        }
+        const auto u = sequence_.next();
+        const auto light = scene_.sample_light(hit.p_world, hit.point.ng, u[2], V2f(u[0], u[1]));
+        if (!light) {
+            return;
+        }
+        const BsdfValue scattered = bsdf.evaluate(light->wi);
+        if (max_component(scattered.value) <= 0.0f) {
+            return;
+        }
+        const float weight = light->is_delta ? 1.0f : power_heuristic(light->pdf, scattered.pdf);
+        Color3f contribution =
+            throughput_ * scattered.value * light->radiance * (weight / light->pdf);
+        if (light->casts_shadow) {
+            contribution *= scene_.transmittance(
+                {.origin = offset_from_surface(hit.p_world, towards(hit, light->wi)),
+                 .direction = light->wi,
+                 .t_max = light->distance});
+        }
+        add(contribution);
+    }
+
+    // Square root of the throughput: paths are ended a little later than by throughput alone, which
+    // matches how dark parts are displayed (as Cycles does).
+    bool survives_roulette(float u)
+    {
+        if (bounce_ < roulette_start) {
+            return max_component(throughput_) > 0.0f;
+        }
+        const float probability = std::min(1.0f, std::sqrt(max_component(throughput_)));
+        if (!(u < probability)) {
+            return false;
+        }
+        throughput_ /= probability;
+        return true;
+    }
+
+    void note_first_surface(const SurfaceHit& hit, const ShadedPoint& shaded)
+    {
+        if (has_first_surface_) {
+            return;
+        }
+        has_first_surface_ = true;
+        result_.normal = hit.point.ns;
+        result_.albedo = shaded.bsdf.albedo();
+    }
+
+    const Scene& scene_;
+    const IntegratorSettings& settings_;
+    SampleSequence& sequence_;
+    PathRadiance result_;
+    Color3f throughput_{1.0f};
+    Scattering last_;
+    float travelled_ = 0.0f;  // from last_.p, through straight passages
+    int bounce_ = 0;
+    bool has_first_surface_ = false;
+};
+
+}  // namespace
+
+PathRadiance trace_path(const Scene& scene,
+                        const IntegratorSettings& settings,
+                        const Ray& camera_ray,
+                        SampleSequence& sequence)
+{
+    return PathTracer(scene, settings, sequence).trace(camera_ray);
+}
+
+}  // namespace eye_render

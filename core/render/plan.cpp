@@ -1,0 +1,170 @@
+#include "render/plan.h"
+
+#include <Imath/ImathBox.h>
+#include <Imath/ImathBoxAlgo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace eye_render {
+
+namespace {
+
+Imath::Box3d bounds_of(const Mesh& mesh)
+{
+    Imath::Box3d box;
+    for (const V3f& p : mesh.positions) {
+        box.extendBy(V3d(p));
+    }
+    return box;
+}
+
+// Distance along the viewing axis of the nearest thing in front of the eye, not nearer than the
+// clipping plane; infinity when there is nothing. Boxes stand for meshes, so it is a lower bound.
+double nearest_depth(const SceneData& scene, const CameraFrame& frame)
+{
+    std::vector<Imath::Box3d> mesh_bounds;
+    mesh_bounds.reserve(scene.meshes.size());
+    for (const Mesh& mesh : scene.meshes) {
+        mesh_bounds.push_back(bounds_of(mesh));
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const InstanceData& instance : scene.instances) {
+        const Imath::Box3d& box = mesh_bounds[instance.mesh];
+        if (box.isEmpty()) {
+            continue;
+        }
+        double nearest_corner = std::numeric_limits<double>::infinity();
+        double farthest_corner = -nearest_corner;
+        for (int corner = 0; corner < 8; ++corner) {
+            const V3d p_object((corner & 1) != 0 ? box.max.x : box.min.x,
+                               (corner & 2) != 0 ? box.max.y : box.min.y,
+                               (corner & 4) != 0 ? box.max.z : box.min.z);
+            const V3d from_eye = p_object * instance.world_from_object - frame.position_world;
+            const double depth = -from_eye.dot(frame.axis_z);
+            nearest_corner = std::min(nearest_corner, depth);
+            farthest_corner = std::max(farthest_corner, depth);
+        }
+        if (farthest_corner > frame.clip_near) {
+            nearest = std::min(nearest, std::max(nearest_corner, frame.clip_near));
+        }
+    }
+    return nearest;
+}
+
+double largest_power_d(const PowerMatrix& m)
+{
+    return std::abs(m.mean_d()) + m.astigmatism_d();
+}
+
+// Blur diameter in pixels over all vergences from infinity to the nearest thing: the largest
+// eigenvalue of E = K - X I is convex in X, so the two ends bound it.
+double largest_blur_px(const SceneData& scene, const CameraFrame& frame, const EyeModel& eye)
+{
+    if (eye.pupil_diameter_m() <= 0.0) {
+        return 0.0;
+    }
+    const double nearest_m = nearest_depth(scene, frame) * frame.metres_per_unit;
+    const PowerMatrix k = eye.retinal_conjugate_d();
+    const double largest_d =
+        std::max(largest_power_d(k), largest_power_d(k - PowerMatrix::sphere(1.0 / nearest_m)));
+    const V2d pixel = frame.pixel_slope_size();
+    return eye.pupil_diameter_m() * largest_d / std::min(pixel.x, pixel.y);
+}
+
+std::string quoted_list(const std::vector<std::string>& names)
+{
+    std::string text;
+    for (const std::string& name : names) {
+        text += (text.empty() ? "" : ", ") + (name.empty() ? "the first" : "'" + name + "'");
+    }
+    return text.empty() ? "none" : text;
+}
+
+template <typename Lookup>
+std::vector<std::string> names_of(const std::vector<int>& layers, const Lookup& names)
+{
+    std::vector<std::string> result;
+    for (const int layer : layers) {
+        result.push_back(names[static_cast<std::size_t>(layer)]);
+    }
+    return result;
+}
+
+void plan_lights(RenderPlan& plan, const SceneData& scene)
+{
+    for (const LampData& lamp : scene.lamps) {
+        switch (lamp.settings.kind) {
+        case LampKind::Point: ++plan.point_lamps; break;
+        case LampKind::Sun: ++plan.suns; break;
+        case LampKind::Spot: ++plan.spots; break;
+        case LampKind::Area: ++plan.area_lamps; break;
+        }
+    }
+    plan.environment_table =
+        scene.world.texture != EnvironmentSettings::none && scene.world.strength > 0.0f;
+}
+
+}  // namespace
+
+RenderPlan make_plan(const SceneData& scene,
+                     const CameraFrame& frame,
+                     const EyeModel& eye,
+                     std::vector<Pass> passes)
+{
+    RenderPlan plan;
+    std::vector<std::size_t> uses(scene.meshes.size(), 0);
+    std::vector<const Material*> materials;
+    for (const InstanceData& instance : scene.instances) {
+        plan.triangles += scene.meshes[instance.mesh].triangles.size();
+        plan.instanced_meshes += ++uses[instance.mesh] == 2 ? 1 : 0;
+        for (const std::size_t material : instance.materials) {
+            materials.push_back(&scene.materials[material]);
+        }
+    }
+    plan.placements = scene.instances.size();
+    for (const Material* material : materials) {
+        plan.emissive_meshes = plan.emissive_meshes || material->may_emit();
+        plan.transparent_shadows = plan.transparent_shadows || material->may_be_transparent();
+    }
+    plan.images = static_cast<std::size_t>(scene.textures.size());
+    plan.uv_layers = names_of(uv_layers_read(materials), scene.uv_layer_names);
+    plan.color_attributes =
+        names_of(color_attributes_read(materials), scene.color_attribute_names);
+    plan_lights(plan, scene);
+    plan.largest_blur_px = largest_blur_px(scene, frame, eye);
+    // A blur circle one pixel wide is where the pixel filter, itself 1.5 pixels wide, hides it.
+    plan.lens = plan.largest_blur_px >= 1.0;
+    plan.passes = std::move(passes);
+    for (const Pass pass : plan.passes) {
+        plan.chief_ray = plan.chief_ray || !info(pass).is_mean;
+        plan.first_surface =
+            plan.first_surface || pass == Pass::Normal || pass == Pass::Albedo;
+    }
+    return plan;
+}
+
+std::string RenderPlan::text() const
+{
+    std::ostringstream out;
+    out << "geometry: " << triangles << " triangles in " << placements << " objects, "
+        << instanced_meshes << " meshes instanced\n";
+    out << "images: " << images << (images == 0 ? " (OpenImageIO not started)" : "")
+        << "; UV layers read: " << quoted_list(uv_layers)
+        << "; colour attributes read: " << quoted_list(color_attributes) << '\n';
+    out << "lights: " << point_lamps << " point, " << suns << " sun, " << spots << " spot, "
+        << area_lamps << " area; emissive meshes: " << (emissive_meshes ? "yes" : "no")
+        << "; environment table: " << (environment_table ? "yes" : "no") << '\n';
+    out << "shadows: " << (transparent_shadows ? "materials may pass light" : "opaque") << '\n';
+    out << "lens: " << (lens ? "sampled" : "pinhole") << ", largest blur at most "
+        << largest_blur_px << " px\n";
+    out << "passes:";
+    for (const Pass pass : passes) {
+        out << ' ' << info(pass).name;
+    }
+    return out.str() + '\n';
+}
+
+}  // namespace eye_render

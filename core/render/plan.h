@@ -1,0 +1,44 @@
+// The plan: what this scene, seen by this eye, needs, found before anything is built from it. What
+// is not in the plan is not exported, started, allocated or sampled.
+
+#pragma once
+
+#include "render/camera.h"
+#include "render/passes.h"
+#include "scene/scene_data.h"
+
+#include <string>
+#include <vector>
+
+namespace eye_render {
+
+struct RenderPlan {
+    std::size_t triangles = 0;
+    std::size_t placements = 0;
+    std::size_t instanced_meshes = 0;  // placed more than once, so built once and referred to
+    std::size_t images = 0;            // 0: OpenImageIO is not started
+    std::vector<std::string> uv_layers;  // read by some material; "" is a mesh's first layer
+    std::vector<std::string> color_attributes;
+    std::size_t point_lamps = 0;
+    std::size_t suns = 0;
+    std::size_t spots = 0;
+    std::size_t area_lamps = 0;
+    bool emissive_meshes = false;
+    bool environment_table = false;   // the world is a picture and is importance sampled
+    bool transparent_shadows = false;  // shadow rays must look at materials
+    double largest_blur_px = 0.0;     // an upper bound over everything in view
+    bool lens = false;                // false: one ray through the pupil's centre serves
+    std::vector<Pass> passes;
+    bool chief_ray = false;       // some pass wants the ray through pixel and pupil centre
+    bool first_surface = false;  // some pass wants normal or albedo
+
+    // One fact a line, for people.
+    [[nodiscard]] std::string text() const;
+};
+
+[[nodiscard]] RenderPlan make_plan(const SceneData& scene,
+                                   const CameraFrame& frame,
+                                   const EyeModel& eye,
+                                   std::vector<Pass> passes);
+
+}  // namespace eye_render

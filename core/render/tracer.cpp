@@ -1,0 +1,143 @@
+#include "render/tracer.h"
+
+#include "base/units.h"
+
+#include <tbb/blocked_range2d.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace eye_render {
+
+namespace {
+
+// Pixels a side: large enough for the cost of a task to vanish, small enough for two threads to end
+// together and for a cancelled render to stop at once.
+constexpr int tile_size = 32;
+
+// Calls work(FilmTile&) for the tiles of the film in parallel and puts them back.
+template <typename Work>
+bool for_each_tile(Film& film, const std::atomic<bool>& cancelled, const Work& work)
+{
+    const PixelBounds& all = film.bounds();
+    const int columns = (all.width() + tile_size - 1) / tile_size;
+    const int rows = (all.height() + tile_size - 1) / tile_size;
+    tbb::parallel_for(
+        tbb::blocked_range2d<int>(0, rows, 1, 0, columns, 1),
+        [&](const tbb::blocked_range2d<int>& range) {
+            for (int row = range.rows().begin(); row < range.rows().end(); ++row) {
+                for (int column = range.cols().begin(); column < range.cols().end(); ++column) {
+                    if (cancelled.load(std::memory_order_relaxed)) {
+                        return;
+                    }
+                    const int x0 = all.x0 + column * tile_size;
+                    const int y0 = all.y0 + row * tile_size;
+                    FilmTile tile = film.take({.x0 = x0,
+                                               .y0 = y0,
+                                               .x1 = std::min(x0 + tile_size, all.x1),
+                                               .y1 = std::min(y0 + tile_size, all.y1)});
+                    work(tile);
+                    film.put(tile);
+                }
+            }
+        },
+        tbb::simple_partitioner{});
+    return !cancelled.load();
+}
+
+PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number)
+{
+    const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.frame.width_px) +
+                       static_cast<std::uint64_t>(x);
+    SampleSequence sequence(sobol_key(job.seed, pixel), number);
+    // The pupil gets the first two dimensions, which are stratified best: its blur is wider than
+    // the pixel filter.
+    const auto u = sequence.next();
+    PathSample sample;
+    sample.x = x;
+    sample.y = y;
+    if (job.lens) {
+        sample.pupil_point_m = pupil_point(job.pattern, number, V2f(u[0], u[1])) *
+                               (0.5 * job.eye->pupil_diameter_m());
+    }
+    const V2d raster = V2d(x + 0.5, y + 0.5) + job.filter.sample(V2f(u[2], u[3]));
+    const auto camera = camera_ray(
+        job.frame, *job.eye, job.frame.chief_slope(raster), sample.pupil_point_m);
+    if (!camera) {
+        sample.weight = 0.0;
+        return sample;
+    }
+    sample.slope = camera->slope;
+    sample.weight = camera->weight;
+    sample.light = trace_path(*job.scene, job.integrator, camera->ray, sequence);
+    return sample;
+}
+
+// The ray through the pupil's centre: every model sends it along the chief slope, and it has no
+// blur, so the direction is the slope itself.
+double chief_depth(const Scene& scene, const CameraFrame& frame, const V2d& chief_slope)
+{
+    const V3d towards =
+        frame.axis_x * chief_slope.x + frame.axis_y * chief_slope.y - frame.axis_z;
+    const double length_per_depth = towards.length();
+    const auto hit =
+        scene.intersect({.origin = V3f(0.0f),
+                         .direction = V3f(towards / length_per_depth),
+                         .t_min = static_cast<float>(frame.clip_near * length_per_depth),
+                         .t_max = static_cast<float>(frame.clip_far * length_per_depth)});
+    return hit ? static_cast<double>(hit->t) / length_per_depth
+               : std::numeric_limits<double>::infinity();
+}
+
+}  // namespace
+
+bool trace_samples(const RenderJob& job,
+                   const SampleRange& range,
+                   Film& film,
+                   const std::atomic<bool>& cancelled)
+{
+    return for_each_tile(film, cancelled, [&](FilmTile& tile) {
+        const PixelBounds& bounds = tile.bounds();
+        for (int y = bounds.y0; y < bounds.y1; ++y) {
+            for (int x = bounds.x0; x < bounds.x1; ++x) {
+                // Within a pixel all samples or none, so that a cancelled picture has no gaps.
+                if (cancelled.load(std::memory_order_relaxed)) {
+                    return;
+                }
+                for (std::uint32_t number = range.first; number < range.last; ++number) {
+                    tile.add(trace_sample(job, x, y, number));
+                }
+            }
+        }
+    });
+}
+
+bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>& cancelled)
+{
+    const PowerMatrix k = job.eye->retinal_conjugate_d();
+    return for_each_tile(film, cancelled, [&](FilmTile& tile) {
+        const PixelBounds& bounds = tile.bounds();
+        for (int y = bounds.y0; y < bounds.y1; ++y) {
+            for (int x = bounds.x0; x < bounds.x1; ++x) {
+                const double depth = chief_depth(
+                    *job.scene, job.frame, job.frame.chief_slope(V2d(x + 0.5, y + 0.5)));
+                const PowerMatrix e =
+                    k - PowerMatrix::sphere(1.0 / (depth * job.frame.metres_per_unit));
+                const double largest_d = std::abs(e.mean_d()) + e.astigmatism_d();
+                tile.set(x,
+                         y,
+                         {.depth = std::min(static_cast<float>(depth), background_depth),
+                          .defocus_d = static_cast<float>(e.mean_d()),
+                          .blur_arcmin = static_cast<float>(
+                              arcmin_from_rad(job.eye->pupil_diameter_m() * largest_d))});
+            }
+        }
+    });
+}
+
+double distance_along_m(const Scene& scene, const CameraFrame& frame, const V2d& chief_slope)
+{
+    return chief_depth(scene, frame, chief_slope) * frame.metres_per_unit;
+}
+
+}  // namespace eye_render

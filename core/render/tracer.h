@@ -1,0 +1,51 @@
+// Traces a range of samples of a picture into a film, on all threads.
+
+#pragma once
+
+#include "eye/eye_model.h"
+#include "eye/pupil_pattern.h"
+#include "render/film.h"
+#include "render/pixel_filter.h"
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+namespace eye_render {
+
+// Sample numbers first to last, last excluded.
+struct SampleRange {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+};
+
+struct RenderJob {
+    std::shared_ptr<const Scene> scene;
+    CameraFrame frame;
+    std::shared_ptr<const EyeModel> eye;
+    PupilPattern pattern;
+    // False: all rays pass the pupil's centre (the plan found no blur to show).
+    bool lens = true;
+    IntegratorSettings integrator;
+    PixelFilter filter{1.5};
+    std::uint64_t seed = 0;
+};
+
+// Adds the samples in `range` to the film of the job's border. Returns false if `cancelled` became
+// true meanwhile: the film then holds whole samples, but not the same number everywhere. Threads
+// are those of the calling task arena.
+bool trace_samples(const RenderJob& job,
+                   const SampleRange& range,
+                   Film& film,
+                   const std::atomic<bool>& cancelled);
+
+// Fills the film's chief samples, one ray a pixel. False if cancelled.
+bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>& cancelled);
+
+// Distance along the viewing axis, in metres, of what the chief ray of slope `chief_slope` meets;
+// infinity when it meets nothing.
+[[nodiscard]] double distance_along_m(const Scene& scene,
+                                      const CameraFrame& frame,
+                                      const V2d& chief_slope);
+
+}  // namespace eye_render

@@ -1,0 +1,47 @@
+// A triangle mesh in its own object space, as plain data. Corner data (UV maps, colours, corner
+// normals) has three entries a triangle, in the order of `triangles`.
+
+#pragma once
+
+#include "base/vector.h"
+#include "scene/accelerator.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace eye_render {
+
+struct UvLayer {
+    std::string name;
+    std::vector<V2f> per_corner;
+};
+
+struct ColorAttribute {
+    std::string name;
+    std::vector<Color4f> per_corner;  // linear Rec. 709, straight alpha
+};
+
+enum class NormalDomain { Flat, PerVertex, PerCorner };
+
+struct Mesh {
+    std::string name;
+    std::vector<V3f> positions;
+    std::vector<TriangleIndices> triangles;
+    NormalDomain normal_domain = NormalDomain::Flat;
+    std::vector<V3f> normals;                 // unit; empty when flat
+    std::vector<std::int32_t> material_slots;  // per triangle; empty: slot 0 everywhere
+    std::vector<UvLayer> uv_layers;            // the first is the one that unnamed requests read
+    std::vector<ColorAttribute> color_attributes;
+
+    [[nodiscard]] std::size_t slot(std::uint32_t triangle) const
+    {
+        return material_slots.empty() ? 0 : static_cast<std::size_t>(material_slots[triangle]);
+    }
+};
+
+// Throws std::invalid_argument when an index or a length is out of range; such meshes
+// are refused here so that no query has to look.
+void validate(const Mesh& mesh);
+
+}  // namespace eye_render

@@ -1,0 +1,23 @@
+// A ray in world space: float, with the eye at the origin of world space.
+
+#pragma once
+
+#include "base/vector.h"
+
+#include <limits>
+
+namespace eye_render {
+
+struct Ray {
+    V3f origin{0.0f};
+    V3f direction{0.0f, 0.0f, -1.0f};  // unit
+    float t_min = 0.0f;
+    float t_max = std::numeric_limits<float>::infinity();
+};
+
+// Moves a surface point off its surface to the side of `n`, by a distance that follows the
+// spacing of floats at the point (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
+// Self-Intersection"): integer steps where the coordinate is large, a fixed step near zero.
+[[nodiscard]] V3f offset_from_surface(const V3f& p, const V3f& n);
+
+}  // namespace eye_render

@@ -1,0 +1,118 @@
+// A scene ready for ray queries: positions relative to the eye, the acceleration structure, lights.
+//
+// Everything here is constant after construction, so any number of threads may ask.
+
+#pragma once
+
+#include "base/vector.h"
+#include "scene/accelerator.h"
+#include "scene/light_sampler.h"
+#include "scene/scene_data.h"
+#include "scene/surface_hit.h"
+
+#include <optional>
+#include <vector>
+
+namespace eye_render {
+
+// A triangle that shines, and where it came from.
+struct Emitter {
+    const Placement* placement = nullptr;
+    std::uint32_t triangle = 0;
+};
+
+// Light that arrives at a point, before anything stands in its way.
+struct IncomingLight {
+    V3f wi;
+    float distance = 0.0f;  // infinite for the environment and the sun
+    Color3f radiance;
+    float pdf = 0.0f;       // per unit solid angle, the choice of the light included
+    bool is_delta = false;
+    bool casts_shadow = true;
+};
+
+// Lamps that a ray meets, to be weighed against sampling them.
+struct LampContribution {
+    Color3f radiance;
+    float pdf = 0.0f;
+};
+
+class Scene {
+public:
+    // Keeps pointers into `data`, which must outlive the scene. Throws std::runtime_error when the
+    // acceleration structure cannot be built.
+    Scene(const SceneData& data, const V3d& eye_position_world);
+    Scene(const Scene&) = delete;
+    Scene& operator=(const Scene&) = delete;
+
+    [[nodiscard]] std::optional<SurfaceHit> intersect(const Ray& ray) const;
+
+    [[nodiscard]] MeshAttributes attributes(const SurfaceHit& hit) const
+    {
+        return {*hit.placement, hit.triangle, hit.u, hit.v, data_.textures};
+    }
+
+    // The part of the light that passes along the ray: 0 behind an opaque surface.
+    [[nodiscard]] Color3f transmittance(const Ray& ray) const;
+
+    // One light and one point on it, for the point `p` whose lit side is `n`; u_light and both of u
+    // in [0, 1). Nothing if no light was chosen or the chosen one cannot light the point.
+    [[nodiscard]] std::optional<IncomingLight> sample_light(const V3f& p,
+                                                            const V3f& n,
+                                                            float u_light,
+                                                            const V2f& u) const;
+
+    // Density of `sample_light` at (p, n) for what a ray from p in direction wi met there.
+    [[nodiscard]] float emitter_pdf(const SurfaceHit& hit, const V3f& p, const V3f& n) const;
+    [[nodiscard]] float environment_pdf(const V3f& wi, const V3f& p, const V3f& n) const;
+
+    // Calls visit(LampContribution) for each lamp between t_min and t_max along a ray that a BSDF
+    // chose at (p, n). Lamps do not stop rays.
+    template <typename Visit>
+    void visit_lamps(const V3f& p,
+                     const V3f& n,
+                     const V3f& direction,
+                     float t_min,
+                     float t_max,
+                     Visit visit) const
+    {
+        for (const std::uint32_t index : visible_lamps_) {
+            const auto hit = lamp_hit(lamps_[index], p, direction, t_max);
+            if (hit && hit->t > t_min) {
+                visit(LampContribution{
+                    hit->radiance,
+                    hit->pdf * light_sampler_.probability(LightKind::Lamp, index, p, n)});
+            }
+        }
+    }
+
+    [[nodiscard]] Color3f background(const V3f& direction) const
+    {
+        return environment_.radiance(direction);
+    }
+
+    [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
+
+private:
+    void add_placements(const V3d& eye_position_world);
+    void add_emitters(std::vector<EmissiveTriangle>& triangles);
+    [[nodiscard]] std::array<V3f, 3> corners_world(const Emitter& emitter) const;
+    [[nodiscard]] std::optional<IncomingLight> sample_emitter(std::uint32_t index,
+                                                              const V3f& p,
+                                                              const V2f& u) const;
+
+    const SceneData& data_;
+    Material plain_material_;
+    Accelerator accelerator_;
+    std::vector<LayerLookup> mesh_layers_;
+    std::vector<Placement> placements_;
+    std::vector<Emitter> emitters_;
+    std::vector<Lamp> lamps_;
+    std::vector<std::uint32_t> visible_lamps_;  // those with an extent
+    Environment environment_;
+    LightSampler light_sampler_;
+    std::size_t triangle_count_ = 0;
+    bool may_be_transparent_ = false;
+};
+
+}  // namespace eye_render

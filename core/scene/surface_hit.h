@@ -1,0 +1,87 @@
+// Where a ray met a mesh, and what a material may ask about the place. World space is relative to
+// the eye.
+
+#pragma once
+
+#include "scene/mesh.h"
+#include "scene/textures.h"
+#include "shading/material.h"
+
+#include <span>
+#include <vector>
+
+namespace eye_render {
+
+// Which of a mesh's layers a scene-wide layer number means; `none` where the mesh lacks the layer.
+struct LayerLookup {
+    static constexpr int none = -1;
+    std::vector<int> uv;
+    std::vector<int> color;
+};
+
+// One mesh at one place of the scene.
+struct Placement {
+    const Mesh* mesh = nullptr;
+    const LayerLookup* layers = nullptr;
+    std::vector<const Material*> materials;  // one a slot, at least one
+    M44f world_from_object;
+    M33f world_from_object_normal;  // inverse transpose, so that normals keep their side
+    bool is_flat = true;            // the accelerator holds the positions in world space
+    bool is_mirrored = false;       // the determinant is negative
+    std::vector<int> emitters;      // per triangle, its number among the emitters or -1; empty: none emit
+
+    [[nodiscard]] const Material& material(std::uint32_t triangle) const
+    {
+        return *materials[std::min(mesh->slot(triangle), materials.size() - 1)];
+    }
+};
+
+struct SurfaceHit {
+    float t = 0.0f;
+    V3f p_world{0.0f};
+    ShadingPoint point;
+    const Placement* placement = nullptr;
+    std::uint32_t triangle = 0;
+    float u = 0.0f;
+    float v = 0.0f;
+
+    [[nodiscard]] const Material& material() const { return placement->material(triangle); }
+    // The number among the scene's emitters, or -1.
+    [[nodiscard]] int emitter() const
+    {
+        return placement->emitters.empty() ? -1 : placement->emitters[triangle];
+    }
+};
+
+// Turns what the accelerator found into a hit, `positions` being the accelerator's.
+[[nodiscard]] SurfaceHit make_surface_hit(const Ray& ray,
+                                          const AcceleratorHit& found,
+                                          const Placement& placement,
+                                          std::span<const V3f> positions);
+
+// Reads layers and textures at a point of a triangle, on request only.
+class MeshAttributes final : public HitAttributes {
+public:
+    MeshAttributes(const Placement& placement,
+                   std::uint32_t triangle,
+                   float u,
+                   float v,
+                   const TextureSet& textures)
+        : placement_(placement), triangle_(triangle), u_(u), v_(v), textures_(textures)
+    {
+    }
+
+    [[nodiscard]] V2f uv(int uv_layer) const override;
+    [[nodiscard]] TangentFrame tangent(int uv_layer) const override;
+    [[nodiscard]] Color4f color(int color_attribute) const override;
+    [[nodiscard]] Color4f texture(int texture, const V2f& uv) const override;
+
+private:
+    const Placement& placement_;
+    std::uint32_t triangle_;
+    float u_;
+    float v_;
+    const TextureSet& textures_;
+};
+
+}  // namespace eye_render

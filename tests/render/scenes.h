@@ -1,0 +1,90 @@
+// Small scenes for tests of the renderer.
+
+#pragma once
+
+#include "render/camera.h"
+#include "scene/scene.h"
+#include "scene/scene_data.h"
+
+#include <cmath>
+#include <memory>
+
+namespace eye_render::test {
+
+inline Material diffuse(float albedo)
+{
+    Material material;
+    material.surface = Surface::Diffuse;
+    material.base_color.constant = Color3f(albedo);
+    return material;
+}
+
+inline Material emissive_diffuse(float albedo, float radiance)
+{
+    Material material;
+    material.base_color.constant = Color3f(albedo);
+    material.specular.constant = Color3f(0.0f);
+    material.emission_color.constant = Color3f(1.0f);
+    material.emission_strength.constant = Color3f(radiance);
+    return material;
+}
+
+// A square of half width `h` in the plane z = 0, facing +Z.
+inline Mesh square(float h)
+{
+    Mesh mesh;
+    mesh.name = "square";
+    mesh.positions = {{-h, -h, 0}, {h, -h, 0}, {h, h, 0}, {-h, h, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    return mesh;
+}
+
+// A cube of half width `h`.
+inline Mesh cube(float h)
+{
+    Mesh mesh;
+    mesh.name = "cube";
+    for (int corner = 0; corner < 8; ++corner) {
+        mesh.positions.emplace_back((corner & 1) != 0 ? h : -h,
+                                    (corner & 2) != 0 ? h : -h,
+                                    (corner & 4) != 0 ? h : -h);
+    }
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+inline void place(SceneData& data, Mesh mesh, const V3d& at, const Material& material)
+{
+    data.meshes.push_back(std::move(mesh));
+    data.materials.push_back(material);
+    M44d world_from_object;
+    world_from_object.setTranslation(at);
+    data.instances.push_back({.mesh = data.meshes.size() - 1,
+                              .world_from_object = world_from_object,
+                              .materials = {data.materials.size() - 1}});
+}
+
+inline LampData point_lamp(const V3d& at, float power_w)
+{
+    M44d world_from_light;
+    world_from_light.setTranslation(at);
+    LampSettings settings;
+    settings.color = Color3f(power_w);
+    return {.name = "point", .settings = settings, .world_from_light = world_from_light};
+}
+
+// A camera at the origin that looks along -Z through a square window of slopes.
+inline CameraFrame frame(int size_px, double half_slope)
+{
+    CameraFrame f;
+    f.slope_left = f.slope_bottom = -half_slope;
+    f.slope_right = f.slope_top = half_slope;
+    f.width_px = f.height_px = size_px;
+    f.border = {0, 0, size_px, size_px};
+    f.clip_near = 0.001;
+    f.clip_far = 1e8;
+    return f;
+}
+
+}  // namespace eye_render::test

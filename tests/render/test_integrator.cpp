@@ -1,0 +1,155 @@
+// The path tracer against derived answers.
+
+#include "base/units.h"
+#include "render/integrator.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace eye_render {
+namespace {
+
+struct Estimate {
+    double mean = 0.0;
+    double standard_error = 0.0;
+};
+
+// Radiance along `ray`, red channel, over `count` paths.
+Estimate estimate(const Scene& scene, const IntegratorSettings& settings, const Ray& ray, int count)
+{
+    double sum = 0.0;
+    double sum_of_squares = 0.0;
+    for (int i = 0; i < count; ++i) {
+        SampleSequence sequence(sobol_key(7, static_cast<std::uint64_t>(i)), 0);
+        const double value = static_cast<double>(trace_path(scene, settings, ray, sequence).radiance.x);
+        sum += value;
+        sum_of_squares += value * value;
+    }
+    const double mean = sum / count;
+    const double variance = std::max(0.0, sum_of_squares / count - mean * mean);
+    return {mean, std::sqrt(variance / count)};
+}
+
+// Four standard errors: one false alarm in 16,000 runs, and the seed is fixed. The absolute part is
+// float rounding of a sum of this size.
+void expect_matches(const Estimate& found, double expected)
+{
+    EXPECT_NEAR(found.mean, expected, 4.0 * found.standard_error + 2e-5 * expected)
+        << "standard error " << found.standard_error;
+}
+
+TEST(Integrator, closed_furnace_sums_the_geometric_series)
+{
+    constexpr float albedo = 0.7f;
+    for (const int max_bounces : {0, 1, 3, 6}) {
+        SceneData data;
+        test::place(data, test::cube(1.0f), V3d(0.0), test::emissive_diffuse(albedo, 0.5f));
+        const Scene scene(data, V3d(0.0));
+        double expected = 0.0;
+        for (int k = 0; k <= max_bounces + 1; ++k) {
+            expected += 0.5 * std::pow(static_cast<double>(albedo), k);
+        }
+        SCOPED_TRACE(max_bounces);
+        expect_matches(estimate(scene,
+                                {.max_bounces = max_bounces},
+                                {.direction = V3f(0.3f, 0.2f, -1.0f).normalized()},
+                                20000),
+                       expected);
+    }
+}
+
+TEST(Integrator, deep_furnace_reaches_one_over_one_minus_albedo)
+{
+    SceneData data;
+    test::place(data, test::cube(1.0f), V3d(0.0), test::emissive_diffuse(0.5f, 1.0f));
+    const Scene scene(data, V3d(0.0));
+    expect_matches(estimate(scene, {.max_bounces = 64}, {}, 20000), 1.0 / (1.0 - 0.5));
+}
+
+TEST(Integrator, white_surface_vanishes_in_a_white_world)
+{
+    SceneData data;
+    test::place(data, test::square(1.0f), V3d(0.0, 0.0, -2.0), test::diffuse(1.0f));
+    data.world.color = Color3f(1.0f);
+    const Scene scene(data, V3d(0.0));
+    expect_matches(estimate(scene, {.max_bounces = 4}, {}, 4000), 1.0);
+}
+
+TEST(Integrator, point_lamp_lights_a_plane_by_the_inverse_square)
+{
+    SceneData data;
+    test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.6f));
+    data.lamps.push_back(test::point_lamp(V3d(1.0, 0.0, -1.0), 100.0f));
+    const Scene scene(data, V3d(0.0));
+    // Irradiance P / (4 pi^2) cos / d^2: Blender's watt of a point lamp is 1 / pi of a radiant one.
+    const double d2 = 1.0 + 4.0;
+    const double irradiance = 100.0 / (4.0 * pi * pi) * (2.0 / std::sqrt(d2)) / d2;
+    expect_matches(estimate(scene, {.max_bounces = 0}, {}, 16), 0.6 / pi * irradiance * pi);
+}
+
+TEST(Integrator, emissive_square_lights_a_plane_as_its_form_factor_says)
+{
+    SceneData data;
+    test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
+    test::place(data, test::square(0.5f), V3d(0.0, 0.0, -2.0), test::emissive_diffuse(0.0f, 4.0f));
+    const Scene scene(data, V3d(0.0));
+    // The ray meets the plane below the square's edge, where half of it counts by symmetry; the
+    // point-to-rectangle form factor of Howell's catalogue (B-4), rectangle a x b with one corner
+    // above the point at distance c.
+    const auto corner_factor = [](double a, double b, double c) {
+        const double x = a / c;
+        const double y = b / c;
+        const double sx = std::sqrt(1 + x * x);
+        const double sy = std::sqrt(1 + y * y);
+        return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * pi);
+    };
+    // Seen point: (-0.9, 0, -3); the square spans x from -0.5 to 0.5, so 0.4 to 1.4 beside it.
+    const double factor =
+        2.0 * (corner_factor(1.4, 0.5, 1.0) - corner_factor(0.4, 0.5, 1.0));
+    const Ray ray{.direction = V3f(-0.9f, 0.0f, -3.0f).normalized()};
+    expect_matches(estimate(scene, {.max_bounces = 0}, ray, 20000), 0.5 * 4.0 * factor);
+}
+
+TEST(Integrator, shadow_side_of_an_opaque_square_is_black)
+{
+    SceneData data;
+    test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
+    test::place(data, test::square(0.5f), V3d(0.5, 0.0, -2.5), test::diffuse(0.5f));
+    data.lamps.push_back(test::point_lamp(V3d(1.0, 0.0, -2.0), 100.0f));
+    const Scene scene(data, V3d(0.0));
+    EXPECT_EQ(estimate(scene, {.max_bounces = 0}, {}, 16).mean, 0.0);
+}
+
+TEST(Integrator, half_transparent_square_lets_half_of_the_light_pass)
+{
+    SceneData data;
+    test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
+    Material veil;
+    veil.surface = Surface::Transparent;
+    veil.base_color.constant = Color3f(0.5f);
+    data.lamps.push_back(test::point_lamp(V3d(1.0, 0.0, -2.0), 100.0f));
+    const Scene open(data, V3d(0.0));
+    const double without = estimate(open, {.max_bounces = 0}, {}, 16).mean;
+    test::place(data, test::square(0.4f), V3d(0.5, 0.0, -2.5), veil);
+    const Scene veiled(data, V3d(0.0));
+    expect_matches(estimate(veiled, {.max_bounces = 0}, {}, 16), 0.5 * without);
+}
+
+TEST(Integrator, transparent_film_leaves_the_world_out_and_keeps_coverage)
+{
+    SceneData data;
+    test::place(data, test::square(0.5f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
+    data.world.color = Color3f(1.0f);
+    const Scene scene(data, V3d(0.0));
+    const IntegratorSettings settings{.film_transparent = true};
+    SampleSequence hit_sequence(1, 0);
+    EXPECT_EQ(trace_path(scene, settings, {}, hit_sequence).alpha, 1.0f);
+    SampleSequence miss_sequence(1, 0);
+    const PathRadiance missed =
+        trace_path(scene, settings, {.direction = V3f(0, 1, 0)}, miss_sequence);
+    EXPECT_EQ(missed.alpha, 0.0f);
+    EXPECT_EQ(missed.radiance, Color3f(0.0f));
+}
+
+}  // namespace
+}  // namespace eye_render

@@ -1,0 +1,98 @@
+// This scene must give this plan.
+
+#include "render/plan.h"
+
+#include "eye/eye_factory.h"
+#include "scenes.h"
+
+#include <gtest/gtest.h>
+
+namespace eye_render {
+namespace {
+
+std::unique_ptr<const EyeModel> relaxed_eye(double sphere_d, double pupil_diameter_m)
+{
+    return make_eye({.model = EyeModelKind::Paraxial,
+                     .rx = Prescription{.sphere_d = sphere_d},
+                     .rx_plane = RxPlane::EntrancePupil,
+                     .pupil_diameter_m = pupil_diameter_m});
+}
+
+RenderPlan plan_for(const SceneData& data, double sphere_d, std::vector<Pass> passes = {Pass::Combined})
+{
+    // 256 pixels over a slope of 0.4: 5.4 arcmin a pixel.
+    return make_plan(data, test::frame(256, 0.2), *relaxed_eye(sphere_d, 4e-3), std::move(passes));
+}
+
+TEST(Plan, plain_scene_without_images_starts_nothing)
+{
+    SceneData data;
+    test::place(data, test::square(1.0f), V3d(0, 0, -50.0), test::diffuse(0.5f));
+    data.world.color = Color3f(1.0f);
+    const RenderPlan plan = plan_for(data, 0.0);
+    EXPECT_EQ(plan.images, 0u);
+    EXPECT_TRUE(plan.uv_layers.empty());
+    EXPECT_FALSE(plan.environment_table);
+    EXPECT_FALSE(plan.transparent_shadows);
+    EXPECT_FALSE(plan.emissive_meshes);
+    EXPECT_FALSE(plan.chief_ray);
+    EXPECT_NE(plan.text().find("OpenImageIO not started"), std::string::npos);
+    EXPECT_FALSE(data.textures.started());
+}
+
+TEST(Plan, blur_below_a_pixel_needs_no_lens)
+{
+    SceneData data;
+    test::place(data, test::square(1.0f), V3d(0, 0, -50.0), test::diffuse(0.5f));
+    // Emmetrope, 4 mm, nothing nearer than 50 m: 0.02 D, 0.275 arcmin, a twentieth of a pixel.
+    const RenderPlan sharp = plan_for(data, 0.0);
+    EXPECT_NEAR(sharp.largest_blur_px, 0.004 * 0.02 / (0.4 / 256), 1e-6);
+    EXPECT_FALSE(sharp.lens);
+    // -3 D: 0.004 * 3 rad at infinity.
+    const RenderPlan blurred = plan_for(data, -3.0);
+    EXPECT_NEAR(blurred.largest_blur_px, 0.004 * 3.0 / (0.4 / 256), 1e-6);
+    EXPECT_TRUE(blurred.lens);
+}
+
+TEST(Plan, textured_glass_under_a_picture_of_the_sky)
+{
+    SceneData data;
+    data.uv_layer_names = {"UVMap", "unread"};
+    const std::vector<float> pixels(16, 0.5f);
+    const int texture =
+        data.textures.add_pixels("grey", PixelsF32{.width = 2, .height = 2, .rgba = pixels}, {});
+    Material textured = test::diffuse(0.5f);
+    textured.base_color.texture = texture;
+    textured.base_color.uv_layer = 0;
+    test::place(data, test::cube(1.0f), V3d(0, 0, -5), textured);
+    Material veil;
+    veil.alpha.constant = Color3f(0.5f);
+    test::place(data, test::square(1.0f), V3d(0, 0, -3), veil);
+    data.world.texture = texture;
+    const RenderPlan plan = plan_for(data, 0.0, {Pass::Combined, Pass::Depth, Pass::Normal});
+    EXPECT_EQ(plan.images, 1u);
+    EXPECT_EQ(plan.uv_layers, std::vector<std::string>{"UVMap"});
+    EXPECT_TRUE(plan.environment_table);
+    EXPECT_TRUE(plan.transparent_shadows);
+    EXPECT_TRUE(plan.chief_ray);
+    EXPECT_TRUE(plan.first_surface);
+}
+
+TEST(Plan, instances_and_lights_are_counted)
+{
+    SceneData data;
+    test::place(data, test::cube(0.1f), V3d(0, 0, -5), test::emissive_diffuse(0.5f, 1.0f));
+    InstanceData again = data.instances.front();
+    again.world_from_object.setTranslation(V3d(1, 0, -5));
+    data.instances.push_back(again);
+    data.lamps.push_back(test::point_lamp(V3d(0.0), 1.0f));
+    const RenderPlan plan = plan_for(data, 0.0);
+    EXPECT_EQ(plan.instanced_meshes, 1u);
+    EXPECT_EQ(plan.placements, 2u);
+    EXPECT_EQ(plan.triangles, 24u);
+    EXPECT_EQ(plan.point_lamps, 1u);
+    EXPECT_TRUE(plan.emissive_meshes);
+}
+
+}  // namespace
+}  // namespace eye_render
