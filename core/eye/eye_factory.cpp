@@ -1,0 +1,65 @@
+// Checks what is said of an eye, refers its prescription and picks the model.
+
+#include "eye/eye_factory.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "eye/models.h"
+
+namespace eye_render {
+
+namespace {
+
+// The prescription where it was written, camera frame.
+PowerMatrix rx_as_written(const EyeSpec& spec)
+{
+    if (const auto* rx = std::get_if<Prescription>(&spec.rx)) {
+        require_valid(*rx);
+        return power_matrix_camera(*rx);
+    }
+    const auto& power = std::get<PowerMatrix>(spec.rx);
+    // What any valid prescription can have, in either form.
+    constexpr double max_mean_d = max_sphere_d + 0.5 * max_cylinder_d;
+    require_range("mean sphere of rx", power.mean_d(), -max_mean_d, max_mean_d, "D");
+    require_range("cylinder of rx", 2.0 * power.astigmatism_d(), 0.0, max_cylinder_d, "D");
+    return power;
+}
+
+}  // namespace
+
+std::string_view to_string(EyeModelKind kind)
+{
+    switch (kind) {
+    case EyeModelKind::Pinhole: return "pinhole";
+    case EyeModelKind::Paper: return "paper";
+    case EyeModelKind::Paraxial: return "paraxial";
+    }
+    return "";
+}
+
+PowerMatrix rx_at_entrance_pupil(const EyeSpec& spec)
+{
+    const PowerMatrix rx = rx_as_written(spec);
+    if (spec.rx_plane == RxPlane::EntrancePupil) return rx;
+    if (spec.rx_plane == RxPlane::Cornea) return moved_toward_eye(rx, cornea_to_entrance_pupil_m);
+    require_range("vertex_mm", mm_from_m(spec.vertex_m), 0.0, mm_from_m(max_vertex_m), "mm");
+    return moved_toward_eye(rx, spec.vertex_m + cornea_to_entrance_pupil_m);
+}
+
+std::unique_ptr<EyeModel> make_eye(const EyeSpec& spec)
+{
+    require_range("pupil_mm", mm_from_m(spec.pupil_diameter_m), 0.0,
+                  mm_from_m(max_pupil_diameter_m), "mm");
+    require_range("accommodation_d", spec.accommodation_d, 0.0, max_accommodation_d, "D");
+    const PowerMatrix rx_entrance_pupil = rx_at_entrance_pupil(spec);
+    if (spec.model == EyeModelKind::Pinhole) return make_pinhole_eye();
+    if (spec.model == EyeModelKind::Paper) {
+        require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
+        return make_paper_eye(rx_as_written(spec), spec.accommodation_d, spec.pupil_diameter_m,
+                              spec.eye_length_m);
+    }
+    return make_paraxial_eye(PowerMatrix::sphere(spec.accommodation_d) - rx_entrance_pupil,
+                             spec.pupil_diameter_m);
+}
+
+}  // namespace eye_render

@@ -1,0 +1,56 @@
+// What is said of an eye, and the model made of it.
+
+#pragma once
+
+#include "eye/eye_model.h"
+#include "optics/prescription.h"
+
+#include <array>
+#include <memory>
+#include <string_view>
+#include <variant>
+
+namespace eye_render {
+
+// Cheapest first.
+enum class EyeModelKind { Pinhole, Paper, Paraxial };
+
+inline constexpr std::array eye_model_kinds{EyeModelKind::Pinhole, EyeModelKind::Paper,
+                                            EyeModelKind::Paraxial};
+
+// "pinhole", "paper", "paraxial".
+[[nodiscard]] std::string_view to_string(EyeModelKind kind);
+
+// Where the prescription was written for: the lens before the eye, a contact lens, or the
+// entrance pupil, where the models work.
+enum class RxPlane { Spectacle, Cornea, EntrancePupil };
+
+// The entrance pupil behind the cornea: 3.04 mm in the schematic eyes of Le Grand and Navarro.
+inline constexpr double cornea_to_entrance_pupil_m = 3.05e-3;
+
+inline constexpr double max_pupil_diameter_m = 9e-3;
+inline constexpr double max_accommodation_d = 20.0;
+inline constexpr double max_vertex_m = 20e-3;
+
+struct EyeSpec {
+    EyeModelKind model = EyeModelKind::Paraxial;
+    // A matrix is in the camera frame; use one for what is left of an eye's prescription behind
+    // the lenses it wears.
+    std::variant<Prescription, PowerMatrix> rx = Prescription{};
+    RxPlane rx_plane = RxPlane::Spectacle;
+    double vertex_m = 12e-3;         // spectacle plane to cornea; used with RxPlane::Spectacle
+    double pupil_diameter_m = 4e-3;  // of the entrance pupil, 0 for none
+    double accommodation_d = 0.0;    // referred to the entrance pupil
+    double eye_length_m = 17e-3;     // the paper's d_eye; used with EyeModelKind::Paper
+};
+
+// The prescription referred to the entrance pupil, camera frame. Throws std::invalid_argument for
+// a prescription or vertex distance out of range (NaN included).
+[[nodiscard]] PowerMatrix rx_at_entrance_pupil(const EyeSpec& spec);
+
+// Throws std::invalid_argument for anything out of range, whether the model uses it or not. The
+// paper's model knows no vertex distance and takes the prescription as it is written; the pinhole
+// has neither prescription nor pupil.
+[[nodiscard]] std::unique_ptr<EyeModel> make_eye(const EyeSpec& spec);
+
+}  // namespace eye_render

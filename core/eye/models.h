@@ -1,0 +1,24 @@
+// The makers of the concrete models, each in its own file; eye_factory.h is the way in. Arguments
+// are checked there.
+
+#pragma once
+
+#include "eye/eye_model.h"
+
+#include <memory>
+
+namespace eye_render {
+
+[[nodiscard]] std::unique_ptr<EyeModel> make_pinhole_eye();
+
+// `rx_camera` is taken at the lens, whatever plane it was written for. Throws
+// std::invalid_argument when it needs a lens without power or weaker.
+[[nodiscard]] std::unique_ptr<EyeModel> make_paper_eye(const PowerMatrix& rx_camera,
+                                                       double accommodation_d,
+                                                       double pupil_diameter_m,
+                                                       double eye_length_m);
+
+[[nodiscard]] std::unique_ptr<EyeModel> make_paraxial_eye(const PowerMatrix& retinal_conjugate_d,
+                                                          double pupil_diameter_m);
+
+}  // namespace eye_render
