@@ -97,15 +97,16 @@ def _render_view(
         _say(session.plan_text)
         for sentence in session.warnings:
             warn(sentence)
-        _stamp(engine, session.metadata, view_name)
+        _stamp(engine, {**session.metadata, "eye": eye.lower()}, view_name)
         _show_until_finished(engine, depsgraph, session, frame, view_name)
 
 
 def _stamp(engine: bpy.types.RenderEngine, metadata: dict[str, str], view_name: str) -> None:
     """Write the observer into the file's metadata; each stereo view has its own."""
     result = engine.get_result()
+    suffix = f".{view_name}" if view_name else ""
     for key, value in metadata.items():
-        result.stamp_data_add_field(f"{key}.{view_name}" if view_name else key, value)
+        result.stamp_data_add_field(f"eye_render:{key}{suffix}", value)
 
 
 def _show_until_finished(

@@ -40,7 +40,6 @@ def make_observer(
             model=(overrides.model or settings.model).lower(),
             rx=_prescription(settings, overrides, eye),
             vertex_mm=settings.vertex_mm,
-            eye=eye.lower(),
             age_years=settings.age if overrides.age is None else overrides.age,
             pupil=pupil,
             pupil_formula=settings.pupil_formula,
@@ -84,8 +83,6 @@ class RenderSession:
     """A started render; always `close` it, best by `with`."""
 
     def __init__(self, core_scene, observer, settings):
-        first, end = settings.sample_range or (0, settings.samples)
-        self._samples = end - first
         with core.speaking() as eyecore:
             self._core = eyecore.Session(core_scene, observer, settings)
         self._core.start()
@@ -116,7 +113,9 @@ class RenderSession:
         return is_finished
 
     def progress(self) -> Progress:
-        return Progress(self._core.samples_done, self._samples, self._core.progress)
+        return Progress(
+            self._core.samples_done, self._core.samples_total, self._core.progress
+        )
 
     def snapshot(self) -> dict[str, np.ndarray]:
         """The picture so far: (height, width, channels) for each pass, rows bottom-up."""

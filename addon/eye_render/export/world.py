@@ -62,17 +62,15 @@ def _read_nodes(
         texture = images.texture(node.image, "REPEAT", node.interpolation)
     if texture is None:
         return {"color": MISSING_COLOR, "strength": strength}
-    rotation = _rotation(node.inputs["Vector"], left_out)
     return {
-        "color": (1.0, 1.0, 1.0),
         "strength": strength,
         "texture": texture,
-        "rotation": rotation,
+        "texture_from_world": _texture_from_world(node.inputs["Vector"], left_out),
     }
 
 
-def _rotation(vector: bpy.types.NodeSocket, left_out: list[str]) -> np.ndarray:
-    """What turns a world direction into the direction to look up in the texture."""
+def _texture_from_world(vector: bpy.types.NodeSocket, left_out: list[str]) -> np.ndarray:
+    """The rotation from a world direction to the direction to look up in the texture."""
     output = source(vector)
     if output is None:
         return np.eye(3)
@@ -81,12 +79,12 @@ def _rotation(vector: bpy.types.NodeSocket, left_out: list[str]) -> np.ndarray:
         if node.bl_idname != "ShaderNodeTexCoord" or output.identifier != "Generated":
             left_out.append(f"{node_label(node)} ({vector.name})")
         return np.eye(3)
-    _rotation(node.inputs["Vector"], left_out)  # names what stands before the mapping
+    _texture_from_world(node.inputs["Vector"], left_out)  # names what stands before the mapping
     angles = node.inputs["Rotation"]
     if source(angles) or not _only_rotates(node):
         left_out.append(f"all but constant Rotation of {node_label(node)}")
-    lookup_from_world = np.array(angles.default_value.to_matrix())
-    return lookup_from_world.T if node.vector_type == "TEXTURE" else lookup_from_world
+    texture_from_world = np.array(angles.default_value.to_matrix())
+    return texture_from_world.T if node.vector_type == "TEXTURE" else texture_from_world
 
 
 def _only_rotates(mapping: bpy.types.Node) -> bool:

@@ -21,12 +21,12 @@ def _draw_eye(
         row.alert = True
         row.label(text=problem, icon="ERROR")
     powers = column.column(align=True)
-    powers.prop(prescription, "sphere")
-    powers.prop(prescription, "cylinder")
+    powers.prop(prescription, "sphere", text="Sphere (D)")
+    powers.prop(prescription, "cylinder", text="Cylinder (D)")
     axis = powers.row()
     axis.active = prescription.cylinder != 0.0
-    axis.prop(prescription, "axis")
-    powers.prop(prescription, "add")
+    axis.prop(prescription, "axis", text="Axis (°)")
+    powers.prop(prescription, "add", text="Add (D)")
 
 
 class _Prescription:
@@ -44,8 +44,8 @@ class _Prescription:
         _draw_eye(layout, observer.right, "Right (OD)", is_stereo or observer.eye == "RIGHT")
         _draw_eye(layout, observer.left, "Left (OS)", is_stereo or observer.eye == "LEFT")
         column = split_column(layout)
-        column.prop(observer, "vertex_mm")
-        column.prop(observer, "age")
+        column.prop(observer, "vertex_mm", text="Vertex Distance (mm)")
+        column.prop(observer, "age", text="Age (years)")
         column.prop(observer, "model")
         if batch.overrides != batch.Overrides():
             layout.label(text="The command line overrides some of this", icon="INFO")

@@ -1,0 +1,136 @@
+"""Building blocks of test scenes, and a scene of the core that writes down what it is told."""
+
+from types import SimpleNamespace
+
+import bpy
+import numpy as np
+
+
+def add_object(data: bpy.types.ID | None, name: str = "Object") -> bpy.types.Object:
+    shown = bpy.data.objects.new(name, data)
+    bpy.context.scene.collection.objects.link(shown)
+    return shown
+
+
+def add_camera() -> bpy.types.Object:
+    camera = add_object(bpy.data.cameras.new("Camera"), "Camera")
+    camera.data.eye_render.pupil_mode = "MANUAL"
+    return camera
+
+
+def quad_mesh(name: str = "Quad", size: float = 1.0) -> bpy.types.Mesh:
+    """A square in the XY plane, normal +Z, with UVs from 0 to 1."""
+    half = size / 2
+    mesh = bpy.data.meshes.new(name)
+    corners = [(-half, -half, 0), (half, -half, 0), (half, half, 0), (-half, half, 0)]
+    mesh.from_pydata(corners, [], [(0, 1, 2, 3)])
+    layer = mesh.uv_layers.new(name="UVMap")
+    for corner, uv in zip(layer.data, [(0, 0), (1, 0), (1, 1), (0, 1)], strict=True):
+        corner.uv = uv
+    return mesh
+
+
+def cube_mesh(name: str = "Cube") -> bpy.types.Mesh:
+    mesh = bpy.data.meshes.new(name)
+    corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
+    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
+    mesh.from_pydata(corners, [], faces)
+    return mesh
+
+
+def node_material(name: str = "Material") -> bpy.types.Material:
+    """A material with only an output node; link to it with `surface`."""
+    material = bpy.data.materials.new(name)
+    material.use_nodes = True
+    material.node_tree.nodes.clear()
+    material.node_tree.nodes.new("ShaderNodeOutputMaterial")
+    return material
+
+
+def add_node(datablock: bpy.types.ID, kind: str, **settings) -> bpy.types.Node:
+    node = datablock.node_tree.nodes.new(kind)
+    for name, value in settings.items():
+        setattr(node, name, value)
+    return node
+
+
+def link(datablock: bpy.types.ID, output: bpy.types.NodeSocket, socket: bpy.types.NodeSocket):
+    datablock.node_tree.links.new(output, socket)
+
+
+def surface(datablock: bpy.types.ID, kind: str, **settings) -> bpy.types.Node:
+    """Add a shader node and link it to the active output."""
+    node = add_node(datablock, kind, **settings)
+    output = datablock.node_tree.get_output_node("CYCLES")
+    link(datablock, node.outputs[0], output.inputs["Surface"])
+    return node
+
+
+def emitter(color: tuple[float, float, float], name: str = "Glow") -> bpy.types.Material:
+    material = node_material(name)
+    node = surface(material, "ShaderNodeEmission")
+    node.inputs["Color"].default_value = (*color, 1.0)
+    return material
+
+
+class RecordingScene:
+    """Stands where the core's scene stands, and keeps every argument."""
+
+    def __init__(self, uv_layers: list[str] = (), color_attributes: list[str] = ()):
+        self.meshes: list[SimpleNamespace] = []
+        self.instances: list[SimpleNamespace] = []
+        self.materials: list[SimpleNamespace] = []
+        self.lights: list[SimpleNamespace] = []
+        self.textures: list[SimpleNamespace] = []
+        self.world = self.camera = None
+        self._uv_layers = list(uv_layers)
+        self._color_attributes = list(color_attributes)
+
+    def uv_layers_read(self, _material_ids):
+        return self._uv_layers
+
+    def color_attributes_read(self, _material_ids):
+        return self._color_attributes
+
+    def add_mesh(self, name, positions, triangles, **rest):
+        self.meshes.append(
+            SimpleNamespace(name=name, positions=positions, triangles=triangles, **rest)
+        )
+        return len(self.meshes) - 1
+
+    def add_instances(self, mesh, world_from_object, materials):
+        self.instances.append(
+            SimpleNamespace(
+                mesh=mesh, world_from_object=np.array(world_from_object), materials=materials
+            )
+        )
+
+    def add_material(self, name, surface, **inputs):
+        self.materials.append(SimpleNamespace(name=name, surface=surface, inputs=inputs))
+        return len(self.materials) - 1
+
+    def add_light(self, name, kind, world_from_light, color, **rest):
+        self.lights.append(
+            SimpleNamespace(
+                name=name, kind=kind, world_from_light=world_from_light, color=color, **rest
+            )
+        )
+
+    def add_texture(self, path, **how):
+        self.textures.append(SimpleNamespace(path=path, pixels=None, **how))
+        return len(self.textures) - 1
+
+    def add_texture_pixels(self, name, pixels, **how):
+        self.textures.append(SimpleNamespace(path=None, name=name, pixels=pixels, **how))
+        return len(self.textures) - 1
+
+    def set_world(self, **settings):
+        self.world = SimpleNamespace(**settings)
+
+    def set_camera(self, world_from_camera, slope_bounds, resolution, **rest):
+        self.camera = SimpleNamespace(
+            world_from_camera=world_from_camera,
+            slope_bounds=slope_bounds,
+            resolution=resolution,
+            **rest,
+        )

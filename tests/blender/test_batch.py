@@ -1,0 +1,99 @@
+import pytest
+from eye_render import batch
+
+
+def test_values_are_read_with_either_way_of_writing_them():
+    read = batch.parse(["--eye-rx", "-2.00DS -0.75DC 160A", "--eye-samples=64"])
+    assert read.rx == "-2.00DS -0.75DC 160A"
+    assert read.samples == 64
+
+
+def test_all_options_are_read():
+    options = (
+        "--eye-rx -1 --eye-rx-left +1 --eye-side left --eye-pupil 3.5 --eye-focus 0.4 "
+        "--eye-age 45 --eye-model pinhole --eye-quality draft --eye-samples 8 --eye-seed 7 "
+        "--eye-sample-range 4:8"
+    )
+    assert batch.parse(options.split()) == batch.Overrides(
+        rx="-1",
+        rx_left="+1",
+        side="LEFT",
+        pupil=3.5,
+        focus=0.4,
+        age=45.0,
+        model="PINHOLE",
+        quality="DRAFT",
+        samples=8,
+        seed=7,
+        sample_range=(4, 8),
+    )
+
+
+def test_words_stand_for_numbers_where_they_may():
+    read = batch.parse(["--eye-pupil", "AUTO", "--eye-focus", "center"])
+    assert (read.pupil, read.focus) == ("auto", "center")
+
+
+def test_options_of_others_are_passed_over():
+    assert batch.parse(["--cycles-device", "CPU", "--eyes", "2"]) == batch.Overrides()
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "allowed"),
+    [
+        ("--eye-rx", "-2.00 -0.75", "axis"),
+        ("--eye-side", "both", "expected right, left"),
+        ("--eye-pupil", "wide", "expected 0.1 to 12 mm or auto"),
+        ("--eye-pupil", "nan", "expected 0.1 to 12 mm or auto"),
+        ("--eye-age", "-3", "expected 1 to 120 years"),
+        ("--eye-model", "navarro", "expected pinhole, paper, paraxial"),
+        ("--eye-samples", "0", "expected 1 to"),
+        ("--eye-samples", "1.5", "expected 1 to"),
+        ("--eye-sample-range", "8:4", "expected A:B"),
+        ("--eye-sample-range", "8", "expected A:B"),
+    ],
+)
+def test_a_bad_value_is_answered_with_option_value_and_what_is_allowed(option, value, allowed):
+    with pytest.raises(batch.OptionError) as caught:
+        batch.parse([option, value])
+    sentence = str(caught.value)
+    assert sentence.startswith(f'{option} is "{value}"; ')
+    assert allowed in sentence
+    assert "\n" not in sentence
+
+
+def test_an_unknown_eye_option_is_an_error():
+    with pytest.raises(batch.OptionError, match="--eye-colour is unknown; expected one of"):
+        batch.parse(["--eye-colour", "blue"])
+
+
+def test_an_option_without_its_value_is_an_error():
+    with pytest.raises(batch.OptionError, match="--eye-rx has no value"):
+        batch.parse(["--eye-rx"])
+
+
+def test_a_bad_option_ends_blender_with_status_2_and_no_picture(run_blender, picture):
+    ended = run_blender("--", "--eye-pupil", "wide")
+    assert ended.returncode == 2
+    assert '--eye-pupil is "wide"; expected' in ended.stderr
+    assert not picture.exists()
+
+
+def test_options_rule_the_run_and_are_not_saved(run_blender, picture, tmp_path):
+    saved = tmp_path / "saved.blend"
+    script = (
+        'camera.eye_render.right.text = "+1.00"\n'
+        "bpy.app.handlers.render_complete.append("
+        f'lambda *_: bpy.ops.wm.save_as_mainfile(filepath="{saved}"))\n'
+    )
+    ended = run_blender("--", "--eye-rx", "-4.00DS", "--eye-samples", "2", script=script)
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert picture.exists()
+    assert "Sample 2/2" in ended.stdout
+    show = (
+        'c = scene.camera.data.eye_render; print("saved", c.right.text, scene.eye_render.quality)'
+    )
+    shown = run_blender(
+        str(saved), "--python-expr", f"import bpy; scene = bpy.context.scene; {show}"
+    )
+    assert "saved +1.00 DRAFT" in shown.stdout

@@ -1,0 +1,117 @@
+import bpy
+import numpy as np
+import pytest
+from eye_render.export.image import ImageTable
+from eye_render.export.instances import export_instances
+from eye_render.export.material import MaterialTable
+from scenes import RecordingScene, add_object, cube_mesh, quad_mesh
+
+
+@pytest.fixture
+def export(depsgraph_of):
+    """Exports the scene; gives the recording, with the warnings as `.warnings`."""
+
+    def run() -> RecordingScene:
+        core_scene = RecordingScene()
+        core_scene.warnings = []
+        warn = core_scene.warnings.append
+        materials = MaterialTable(core_scene, ImageTable(core_scene, warn), None, warn)
+        export_instances(core_scene, depsgraph_of(), materials, warn, lambda: None)
+        return core_scene
+
+    return run
+
+
+def places(core_scene: RecordingScene) -> list[tuple[float, ...]]:
+    matrices = np.concatenate([item.world_from_object for item in core_scene.instances])
+    return sorted(tuple(matrix[:3, 3].tolist()) for matrix in matrices)
+
+
+def test_objects_that_share_a_mesh_export_it_once(scene, export):
+    mesh = cube_mesh()
+    for x in (0.0, 3.0):
+        add_object(mesh).location.x = x
+    result = export()
+    assert len(result.meshes) == 1
+    assert places(result) == [(0.0, 0.0, 0.0), (3.0, 0.0, 0.0)]
+
+
+def test_a_modifier_makes_a_mesh_of_its_own(scene, export):
+    mesh = cube_mesh()
+    add_object(mesh)
+    modified = add_object(mesh)
+    modified.modifiers.new("Array", "ARRAY").count = 3
+    counts = sorted(len(item.triangles) for item in export().meshes)
+    assert counts == [12, 36]
+
+
+def test_collection_instances_are_matrices(scene, export):
+    inner = bpy.data.collections.new("Inner")
+    inner.objects.link(bpy.data.objects.new("Cube", cube_mesh()))
+    for y in (1.0, 2.0, 3.0):
+        empty = add_object(None)
+        empty.instance_type = "COLLECTION"
+        empty.instance_collection = inner
+        empty.location.y = y
+    result = export()
+    assert len(result.meshes) == 1
+    assert places(result) == [(0.0, 1.0, 0.0), (0.0, 2.0, 0.0), (0.0, 3.0, 0.0)]
+
+
+def test_faces_instance_their_children_and_the_instancer_hides(scene, export):
+    parent = add_object(cube_mesh("Parent"))
+    child = add_object(quad_mesh("Child", size=0.1))
+    child.parent = parent
+    parent.instance_type = "FACES"
+    parent.show_instancer_for_render = False
+    parent.show_instancer_for_viewport = False  # this depsgraph is the viewport's
+    result = export()
+    assert [mesh.name for mesh in result.meshes] == ["Child"]
+    assert len(places(result)) == 6 + 1  # the child itself stays visible, as in Cycles
+
+
+def test_curves_texts_surfaces_and_metaballs_are_exported_once(scene, export):
+    bpy.ops.object.text_add()
+    bpy.ops.curve.primitive_bezier_circle_add()
+    bpy.context.object.data.bevel_depth = 0.1
+    bpy.ops.surface.primitive_nurbs_surface_sphere_add()
+    bpy.ops.object.metaball_add()
+    result = export()
+    assert len(result.meshes) == 4
+    assert len(places(result)) == 4
+    assert result.warnings == []
+
+
+def test_slots_linked_to_the_object_win_and_share_the_mesh(scene, export):
+    mesh = cube_mesh()
+    mesh.materials.append(bpy.data.materials.new("OfData"))
+    add_object(mesh)
+    own = add_object(mesh)
+    own.material_slots[0].link = "OBJECT"
+    own.material_slots[0].material = bpy.data.materials.new("OfObject")
+    result = export()
+    assert len(result.meshes) == 1
+    worn = {result.materials[item.materials[0]].name for item in result.instances}
+    assert worn == {"OfData", "OfObject"}
+
+
+def test_an_object_without_material_wears_a_default(scene, export):
+    add_object(cube_mesh())
+    result = export()
+    (worn,) = (item.materials for item in result.instances)
+    assert result.materials[worn[0]].surface == "DIFFUSE"
+
+
+def test_an_unsupported_kind_of_object_is_named(scene, export):
+    add_object(bpy.data.volumes.new("Fog"), "Fog")
+    assert export().warnings == ["Volume 'Fog' is left out: this kind of object is not supported"]
+
+
+def test_matrices_keep_double_precision_and_column_vectors(scene, export):
+    shown = add_object(cube_mesh())
+    shown.location = (1.0, 2.0, 3.0)
+    shown.scale = (2.0, 3.0, 4.0)
+    (item,) = export().instances
+    expected = [[2, 0, 0, 1], [0, 3, 0, 2], [0, 0, 4, 3], [0, 0, 0, 1]]
+    assert item.world_from_object.dtype == np.float64
+    assert np.allclose(item.world_from_object, [expected])

@@ -1,0 +1,57 @@
+import pytest
+
+
+@pytest.fixture
+def prescription(scene):
+    return scene.camera.data.eye_render.right
+
+
+def test_typed_text_sets_the_numbers(prescription):
+    prescription.text = "-2.00DS -0.75DC 160A"
+    assert prescription.sphere == -2.0
+    assert prescription.cylinder == -0.75
+    assert prescription.axis == 160.0
+    assert prescription.text == "-2.00DS -0.75DC 160A"  # as typed, not as the core would write
+
+
+def test_a_changed_number_rewrites_the_text(prescription):
+    prescription.text = "-2.00 / -0.75 x 160"
+    prescription.sphere = -3.0
+    assert prescription.text == prescription.as_core().text()
+    assert prescription.as_core().sphere_d == -3.0
+    assert prescription.cylinder == -0.75
+
+
+def test_text_that_is_no_prescription_is_explained_and_leaves_the_numbers(prescription):
+    prescription.text = "-2.00DS -0.75DC 160A"
+    prescription.text = "-2.00 -0.75"
+    assert "axis" in prescription.problem()
+    assert (prescription.sphere, prescription.cylinder) == (-2.0, -0.75)
+
+
+def test_a_valid_text_has_no_problem(prescription):
+    assert prescription.problem() == ""
+
+
+def test_text_that_is_no_prescription_fails_the_render_with_the_parsers_sentence(
+    prescription, render
+):
+    prescription.text = "-2.00 -0.75"
+    with pytest.raises(RuntimeError, match="Prescription of the right eye: .*axis"):
+        render()
+
+
+def test_each_eye_keeps_its_own_prescription(scene):
+    observer = scene.camera.data.eye_render
+    observer.right.text = "-1.00"
+    observer.left.text = "+2.00"
+    assert (observer.right.sphere, observer.left.sphere) == (-1.0, 2.0)
+
+
+def test_animated_numbers_lead(scene, prescription):
+    for frame, sphere in ((1, -1.0), (2, -4.0)):
+        prescription.sphere = sphere
+        prescription.keyframe_insert("sphere", frame=frame)
+    scene.frame_set(1)
+    assert prescription.as_core().sphere_d == -1.0
+    assert prescription.problem() == ""

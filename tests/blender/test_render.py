@@ -1,0 +1,174 @@
+"""Whole renders: what arrives in Blender's result and in its files."""
+
+import subprocess
+
+import bpy
+import numpy as np
+import pytest
+from scenes import add_object, emitter, quad_mesh
+
+RED = (1.0, 0.0, 0.0)
+GREEN = (0.0, 1.0, 0.0)
+
+
+def wall(color: tuple[float, float, float], x: float = 0.0, size: float = 10.0):
+    """A glowing square two metres ahead of the camera."""
+    mesh = quad_mesh(size=size)
+    mesh.materials.append(emitter(color))
+    shown = add_object(mesh)
+    shown.location = (x, 0.0, -2.0)
+    return shown
+
+
+def file_info(path: str) -> str:
+    command = ["oiiotool", "--info", "-v", path]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+@pytest.fixture
+def sharp(scene):
+    """Without blur and with a narrow filter, so that single pixels can be told."""
+    scene.camera.data.eye_render.model = "PINHOLE"
+    scene.render.filter_size = 0.01
+    return scene
+
+
+def test_a_glowing_wall_has_its_colour_everywhere(render):
+    wall((0.5, 0.25, 2.0))
+    assert np.allclose(render(), (0.5, 0.25, 2.0, 1.0), atol=1e-5)
+
+
+def test_left_and_up_are_where_they_belong(sharp, render):
+    sharp.camera.data.angle = np.pi / 2  # the window is 4 m by 2 m at the wall
+    wall(RED, size=1.0).location = (-1.5, 0.5, -2.0)
+    lit = render()[..., 0] > 0.5
+    rows, columns = np.nonzero(lit)
+    assert (rows.min(), rows.max()) == (4, 7)
+    assert (columns.min(), columns.max()) == (0, 3)
+
+
+def test_a_hidden_object_is_not_rendered(render):
+    wall(RED).hide_render = True
+    assert np.all(render()[..., :3] == 0.0)
+
+
+def test_a_border_is_the_same_cut_out_of_the_whole(sharp, render):
+    wall(RED, x=-0.3, size=0.5)
+    wall(GREEN, x=0.3, size=0.5)
+    whole = render()
+    sharp.render.use_border = True
+    sharp.render.border_min_x, sharp.render.border_max_x = 0.27, 0.77
+    sharp.render.border_min_y, sharp.render.border_max_y = 0.3, 0.9
+    sharp.render.use_crop_to_border = True
+    part = render()
+    assert whole.shape == (8, 16, 4)
+    assert part.shape == (5, 8, 4)
+    assert np.array_equal(part, whole[2:7, 4:12])
+
+
+def test_resolution_percentage_scales_the_picture(scene, render):
+    scene.render.resolution_percentage = 50
+    assert render().shape == (4, 8, 4)
+
+
+def test_every_enabled_pass_arrives_in_the_file(scene, tmp_path):
+    wall(RED)
+    view_layer = scene.view_layers[0]
+    view_layer.use_pass_z = view_layer.use_pass_normal = True
+    switches = view_layer.eye_render
+    switches.use_pass_albedo = switches.use_pass_defocus = switches.use_pass_blur = True
+    scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
+    scene.render.filepath = str(tmp_path / "passes.exr")
+    bpy.ops.render.render(write_still=True)
+    info = file_info(scene.render.filepath)
+    for channel in ("Depth.Z", "Normal.X", "Albedo.R", "Defocus.X", "Blur.X"):
+        assert f"{view_layer.name}.{channel}" in info
+
+    sums = subprocess.run(
+        ["oiiotool", "--stats", scene.render.filepath], capture_output=True, text=True, check=True
+    ).stdout
+    names = info.split("channel list: ")[1].splitlines()[0].split(", ")
+    averages = sums.split("Stats Avg: ")[1].splitlines()[0].split()
+    average = dict(zip(names, averages, strict=False))
+    assert float(average[f"{view_layer.name}.Depth.Z"]) == pytest.approx(2.0, rel=1e-3)
+    assert float(average[f"{view_layer.name}.Normal.Z"]) == pytest.approx(1.0, rel=1e-3)
+
+
+def test_the_file_carries_the_observer(scene, render):
+    scene.camera.data.eye_render.right.text = "-2.00DS -0.75DC 160A"
+    scene.camera.data.eye_render.pupil_mm = 3.5
+    render()
+    info = file_info(scene.render.filepath)
+    assert 'eye_render:rx: "-2.00DS -0.75DC 160A"' in info
+    assert 'eye_render:eye: "right"' in info
+    assert 'eye_render:model: "paraxial"' in info
+    assert 'eye_render:pupil_mm: "3.5' in info
+
+
+def test_each_stereo_view_has_its_own_eye_and_place(sharp, tmp_path):
+    sharp.render.use_multiview = True
+    sharp.render.image_settings.file_format = "OPEN_EXR"
+    sharp.render.image_settings.views_format = "INDIVIDUAL"
+    sharp.camera.data.eye_render.right.text = "-1.00"
+    sharp.camera.data.eye_render.left.text = "-3.00"
+    sharp.camera.data.stereo.interocular_distance = 0.2
+    sharp.camera.data.stereo.convergence_mode = "PARALLEL"
+    sharp.camera.data.stereo.pivot = "CENTER"
+    wall(RED, size=0.4)
+    sharp.render.filepath = str(tmp_path / "stereo.exr")
+    bpy.ops.render.render(write_still=True)
+
+    centres = {}
+    for view, suffix in (("left", "_L"), ("right", "_R")):
+        path = str(tmp_path / f"stereo{suffix}.exr")
+        info = file_info(path)
+        assert f'eye_render:eye.{view}: "{view}"' in info
+        assert f'eye_render:rx.{view}: "{"-3" if view == "left" else "-1"}.00DS' in info
+        image = bpy.data.images.load(path)
+        pixels = np.empty((8, 16, 4), np.float32)
+        image.pixels.foreach_get(pixels.ravel())
+        centres[view] = np.nonzero(pixels[..., 0] > 0.5)[1].mean()
+    assert centres["left"] > centres["right"], "the left eye sees the wall further to the right"
+
+
+def test_each_view_layer_renders_its_own_objects(scene, tmp_path):
+    red, green = bpy.data.collections.new("Red"), bpy.data.collections.new("Green")
+    for collection, color in ((red, RED), (green, GREEN)):
+        shown = wall(color)
+        scene.collection.objects.unlink(shown)
+        collection.objects.link(shown)
+        scene.collection.children.link(collection)
+    second = scene.view_layers.new("Second")
+    scene.view_layers[0].layer_collection.children["Green"].exclude = True
+    second.layer_collection.children["Red"].exclude = True
+    scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
+    scene.render.filepath = str(tmp_path / "layers.exr")
+    bpy.ops.render.render(write_still=True)
+    info = file_info(scene.render.filepath)
+    assert "Second.Combined.G" in info
+    assert f"{scene.view_layers[0].name}.Combined.R" in info
+
+
+def test_the_seed_changes_the_noise_and_nothing_else_does(scene, render):
+    wall(RED, x=0.1, size=0.5)
+    first = render()
+    assert np.array_equal(first, render())
+    scene.eye_render.seed = 1
+    assert not np.array_equal(first, render())
+
+
+def test_a_transparent_film_has_no_alpha_where_nothing_is(scene, render):
+    scene.render.film_transparent = True
+    assert np.all(render()[..., 3] == 0.0)
+
+
+def test_a_picture_of_many_samples_ends_at_once_when_cancelled(run_blender, picture):
+    script = (
+        "import os, signal, threading, time\n"
+        'scene.eye_render.quality = "REFERENCE"\n'
+        "scene.render.resolution_x = scene.render.resolution_y = 1024\n"
+        "threading.Timer(1.5, os.kill, (os.getpid(), signal.SIGINT)).start()\n"
+    )
+    ended = run_blender(script=script)
+    assert ended.returncode == 1
+    assert not picture.exists()
