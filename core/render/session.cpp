@@ -1,5 +1,6 @@
 #include "render/session.h"
 
+#include <tbb/info.h>
 #include <tbb/task_arena.h>
 
 #include <algorithm>
@@ -57,8 +58,9 @@ void Session::run()
 {
     std::optional<std::string> error;
     try {
-        tbb::task_arena arena(settings_.threads > 0 ? settings_.threads
-                                                    : tbb::task_arena::automatic);
+        const int available = tbb::info::default_concurrency();
+        tbb::task_arena arena(settings_.threads > 0 ? std::min(settings_.threads, available)
+                                                    : available);
         arena.execute([this] {
             if (settings_.chief_rays && !trace_chief_rays(job_, film_, cancelled_)) {
                 return;

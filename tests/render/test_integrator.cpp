@@ -114,7 +114,7 @@ TEST(Integrator, shadow_side_of_an_opaque_square_is_black)
 {
     SceneData data;
     test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
-    test::place(data, test::square(0.5f), V3d(0.5, 0.0, -2.5), test::diffuse(0.5f));
+    test::place(data, test::square(0.4f), V3d(0.5, 0.0, -2.5), test::diffuse(0.5f));
     data.lamps.push_back(test::point_lamp(V3d(1.0, 0.0, -2.0), 100.0f));
     const Scene scene(data, V3d(0.0));
     EXPECT_EQ(estimate(scene, {.max_bounces = 0}, {}, 16).mean, 0.0);
