@@ -305,10 +305,13 @@ TEST(Lamp, sampling_the_lamp_and_sampling_the_cosine_agree)
         }
         constexpr int grid = 1500;
         double sum = 0.0;
+        std::mt19937 rng(3);
+        std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
         for (int i = 0; i < grid; ++i) {
             for (int j = 0; j < grid; ++j) {
-                const V3f wi =
-                    sample_cosine_hemisphere({(float(i) + 0.5f) / grid, (float(j) + 0.5f) / grid});
+                // Jittered: the horizon is a line of the grid.
+                const V3f wi = sample_cosine_hemisphere(
+                    {(float(i) + uniform(rng)) / grid, (float(j) + uniform(rng)) / grid});
                 const auto hit = lamp_hit(e.lamp, origin, wi, 1e6f);
                 sum += hit ? double(luminance(hit->radiance)) * pi : 0.0;
             }

@@ -1,0 +1,293 @@
+// Texture lookups against values worked out by hand and against Cycles.
+//
+// Cycles' values: Blender 3.4.1, an emitting plane with an Image Texture node whose alpha output
+// is in use, seen by an orthographic camera over 1 um of it, 32-bit EXR. The image is
+// straight_alpha_4x3.png: texel (x, y), counted from the bottom left, is
+// (60 x, 100 y, 30 x y, alpha), with alpha 100 where x + y is divisible by 3 and else 255.
+
+#include "scene/textures.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <thread>
+
+namespace eye_render {
+namespace {
+
+const std::string data_dir = std::string(EYE_TEST_DATA_DIR) + "/textures/";
+
+void expect_near(const Color4f& actual, const Color4f& expected, float tolerance, const char* what)
+{
+    for (int c = 0; c < 4; ++c) {
+        EXPECT_NEAR(actual[c], expected[c], tolerance) << what << ", channel " << c;
+    }
+}
+
+const Color4f magenta(1.0f, 0.0f, 1.0f, 1.0f);
+
+// 2 x 2, bottom row first: red 1 2, then red 3 4; opaque.
+const std::vector<float> two_by_two = {1, 0, 0, 1, 2, 0, 0, 1, 3, 0, 0, 1, 4, 0, 0, 1};
+
+int add_two_by_two(TextureSet& set, Extension extension, Interpolation interpolation)
+{
+    return set.add_pixels("2x2", PixelsF32{2, 2, two_by_two},
+                          {.colorspace = Colorspace::Linear,
+                           .extension = extension,
+                           .interpolation = interpolation});
+}
+
+TEST(Textures, openimageio_is_not_started_without_images)
+{
+    TextureSet set;
+    EXPECT_FALSE(set.started());
+    EXPECT_EQ(set.lookup(0, {0.5f, 0.5f}), magenta);
+    EXPECT_FALSE(set.started());
+    add_two_by_two(set, Extension::Repeat, Interpolation::Linear);
+    EXPECT_TRUE(set.started());
+}
+
+TEST(Textures, lookups_are_bilinear_with_v_zero_at_the_bottom)
+{
+    TextureSet set;
+    const int t = add_two_by_two(set, Extension::Extend, Interpolation::Linear);
+    EXPECT_FLOAT_EQ(set.lookup(t, {0.25f, 0.25f}).r, 1.0f);
+    EXPECT_FLOAT_EQ(set.lookup(t, {0.75f, 0.25f}).r, 2.0f);
+    EXPECT_FLOAT_EQ(set.lookup(t, {0.25f, 0.75f}).r, 3.0f);
+    EXPECT_FLOAT_EQ(set.lookup(t, {0.5f, 0.5f}).r, 2.5f);
+    // 0.3 and 0.8 of the way between texel centres: 1 + 0.3 + 2 * 0.8.
+    EXPECT_NEAR(set.lookup(t, {0.4f, 0.65f}).r, 2.9f, 1e-5f);
+}
+
+TEST(Textures, extension_modes_differ_outside)
+{
+    TextureSet set;
+    const int repeat = add_two_by_two(set, Extension::Repeat, Interpolation::Linear);
+    const int extend = add_two_by_two(set, Extension::Extend, Interpolation::Linear);
+    const int clip = add_two_by_two(set, Extension::Clip, Interpolation::Linear);
+    EXPECT_NEAR(set.lookup(repeat, {-0.75f, 3.25f}).r, 1.0f, 1e-5f);
+    EXPECT_NEAR(set.lookup(repeat, {0.0f, 0.25f}).r, 1.5f, 1e-5f);  // between the last and first
+    EXPECT_NEAR(set.lookup(extend, {-0.75f, 3.25f}).r, 3.0f, 1e-5f);
+    EXPECT_NEAR(set.lookup(extend, {0.0f, 0.25f}).r, 1.0f, 1e-5f);
+    expect_near(set.lookup(clip, {-0.75f, 0.25f}), Color4f(0.0f), 0.0f, "clip, outside");
+    // Half of the footprint lies outside: half as opaque, of the same colour.
+    expect_near(set.lookup(clip, {0.0f, 0.25f}), {1, 0, 0, 0.5f}, 1e-5f, "clip, on the edge");
+}
+
+TEST(Textures, closest_takes_one_texel)
+{
+    TextureSet set;
+    const int t = add_two_by_two(set, Extension::Repeat, Interpolation::Closest);
+    EXPECT_EQ(set.lookup(t, {0.49f, 0.49f}).r, 1.0f);
+    EXPECT_EQ(set.lookup(t, {0.51f, 0.49f}).r, 2.0f);
+    EXPECT_EQ(set.lookup(t, {-0.01f, 0.51f}).r, 4.0f);
+}
+
+TEST(Textures, srgb_is_decoded_after_interpolation)
+{
+    TextureSet set;
+    const std::vector<std::uint8_t> black_white = {0, 0, 0, 255, 255, 255, 255, 255};
+    const PixelsU8 pixels{2, 1, black_white};
+    const int srgb = set.add_pixels("s", pixels, {.extension = Extension::Extend});
+    const int data = set.add_pixels(
+        "n", pixels, {.colorspace = Colorspace::NonColor, .extension = Extension::Extend});
+    EXPECT_NEAR(set.lookup(srgb, {0.5f, 0.5f}).g, 0.214041f, 1e-5f);
+    EXPECT_NEAR(set.lookup(data, {0.5f, 0.5f}).g, 0.5f, 1e-5f);
+}
+
+TEST(Textures, alpha_is_left_alone_in_data)
+{
+    TextureSet set;
+    const std::vector<std::uint8_t> half = {200, 100, 50, 51};
+    const int t = set.add_pixels("n", PixelsU8{1, 1, half}, {.colorspace = Colorspace::NonColor});
+    expect_near(set.lookup(t, {0.5f, 0.5f}), {200 / 255.0f, 100 / 255.0f, 50 / 255.0f, 0.2f},
+                1e-5f, "data");
+}
+
+TEST(Textures, lookups_agree_with_cycles)
+{
+    using enum Extension;
+    using enum Interpolation;
+    struct Figure {
+        Interpolation interpolation;
+        Extension extension;
+        V2f uv;
+        Color3f color;
+    };
+    const Figure figures[] = {
+        {Linear, Repeat, {0.3f, 0.4f}, {0.02564f, 0.06857f, 0.00500f}},
+        {Linear, Repeat, {0.02f, 0.5f}, {0.07150f, 0.12744f, 0.01920f}},
+        {Linear, Repeat, {-0.05f, 0.5f}, {0.20864f, 0.12744f, 0.04971f}},
+        {Linear, Repeat, {-0.2f, 0.5f}, {0.40907f, 0.12723f, 0.09192f}},
+        {Linear, Repeat, {0.7f, 0.98f}, {0.23937f, 0.19383f, 0.08870f}},
+        {Linear, Repeat, {1.03f, 1.02f}, {0.05816f, 0.23613f, 0.02692f}},
+        {Linear, Extend, {0.3f, 0.4f}, {0.02564f, 0.06857f, 0.00500f}},
+        {Linear, Extend, {-0.2f, 0.5f}, {0.0f, 0.12744f, 0.0f}},
+        {Linear, Extend, {0.7f, 0.98f}, {0.25415f, 0.57758f, 0.25415f}},
+        {Linear, Extend, {1.03f, 1.02f}, {0.45641f, 0.57758f, 0.45641f}},
+        {Linear, Clip, {0.3f, 0.4f}, {0.02564f, 0.06857f, 0.00500f}},
+        {Linear, Clip, {0.02f, 0.5f}, {0.0f, 0.12744f, 0.0f}},
+        {Linear, Clip, {-0.05f, 0.5f}, {0.0f, 0.12744f, 0.0f}},
+        {Linear, Clip, {-0.2f, 0.5f}, {0.0f, 0.0f, 0.0f}},
+        {Linear, Clip, {0.7f, 0.98f}, {0.25415f, 0.57758f, 0.25415f}},
+        {Linear, Clip, {1.03f, 1.02f}, {0.45641f, 0.57758f, 0.45641f}},
+        {Closest, Repeat, {0.3f, 0.4f}, {0.04519f, 0.12744f, 0.01298f}},
+        {Closest, Repeat, {0.02f, 0.5f}, {0.0f, 0.12744f, 0.0f}},
+        {Closest, Repeat, {-0.05f, 0.5f}, {0.45641f, 0.12744f, 0.10224f}},
+        {Closest, Repeat, {0.7f, 0.98f}, {0.18782f, 0.57758f, 0.18782f}},
+        {Closest, Repeat, {1.03f, 1.02f}, {0.0f, 0.0f, 0.0f}},
+    };
+    TextureSet set;
+    for (const Figure& f : figures) {
+        const int t = set.add_file(data_dir + "straight_alpha_4x3.png",
+                                   {.extension = f.extension, .interpolation = f.interpolation});
+        const Color4f actual = set.lookup(t, f.uv);
+        for (int c = 0; c < 3; ++c) {
+            EXPECT_NEAR(actual[c], f.color[c], 1e-4f)
+                << "uv " << f.uv << ", extension " << int(f.extension) << ", channel " << c;
+        }
+    }
+    EXPECT_TRUE(set.warnings().empty());
+}
+
+TEST(Textures, pixels_and_the_file_they_came_from_look_the_same)
+{
+    std::vector<std::uint8_t> rgba;
+    for (int y = 0; y < 3; ++y) {
+        for (int x = 0; x < 4; ++x) {
+            const int alpha = (x + y) % 3 == 0 ? 100 : 255;
+            for (const int value : {60 * x, 100 * y, 30 * x * y, alpha}) {
+                rgba.push_back(static_cast<std::uint8_t>(value));
+            }
+        }
+    }
+    TextureSet set;
+    const int pixels = set.add_pixels("packed", PixelsU8{4, 3, rgba}, {});
+    const int file = set.add_file(data_dir + "straight_alpha_4x3.png", {});
+    for (float v = -0.3f; v < 1.3f; v += 0.07f) {
+        for (float u = -0.3f; u < 1.3f; u += 0.07f) {
+            expect_near(set.lookup(pixels, {u, v}), set.lookup(file, {u, v}), 1e-6f, "packed");
+        }
+    }
+}
+
+TEST(Textures, jpeg_and_radiance_files_are_read)
+{
+    TextureSet set;
+    const int jpeg = set.add_file(data_dir + "flat.jpg", {.colorspace = Colorspace::NonColor});
+    const int hdr = set.add_file(data_dir + "flat.hdr", {.colorspace = Colorspace::Linear});
+    expect_near(set.lookup(jpeg, {0.5f, 0.5f}), {0.5f, 0.25f, 0.125f, 1.0f}, 0.01f, "jpeg");
+    expect_near(set.lookup(hdr, {0.5f, 0.5f}), {3.0f, 1.5f, 0.75f, 1.0f}, 0.02f, "hdr");
+    EXPECT_TRUE(set.warnings().empty());
+}
+
+TEST(Textures, unreadable_files_are_magenta_with_one_warning_each)
+{
+    const auto folder = std::filesystem::path(testing::TempDir());
+    const std::string not_an_image = (folder / "eye_render_not_an_image.png").string();
+    std::ofstream(not_an_image) << "this is no picture";
+    TextureSet set;
+    const int missing = set.add_file("/nowhere/missing.png", {});
+    const int broken = set.add_file(not_an_image, {});
+    for (const int t : {missing, broken, missing}) {
+        EXPECT_EQ(set.lookup(t, {0.5f, 0.5f}), magenta);
+    }
+    ASSERT_EQ(set.warnings().size(), 2u);
+    EXPECT_NE(set.warnings()[0].find("/nowhere/missing.png"), std::string::npos);
+    EXPECT_NE(set.warnings()[1].find(not_an_image), std::string::npos);
+    EXPECT_EQ(set.load_linear_pixels(missing, 16).width, 1);
+    std::filesystem::remove(not_an_image);
+}
+
+TEST(Textures, a_file_cut_short_never_throws_and_warns_once)
+{
+    const std::string whole = data_dir + "directions_8x4.exr";
+    const auto cut = std::filesystem::path(testing::TempDir()) / "eye_render_cut.exr";
+    std::filesystem::copy_file(whole, cut, std::filesystem::copy_options::overwrite_existing);
+    std::filesystem::resize_file(cut, std::filesystem::file_size(whole) / 2);
+    TextureSet set;
+    const int t = set.add_file(cut.string(), {.colorspace = Colorspace::Linear});
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(set.lookup(t, {0.5f, 0.05f}), magenta);
+    }
+    EXPECT_EQ(set.warnings().size(), 1u);
+    std::filesystem::remove(cut);
+}
+
+TEST(Textures, uv_beyond_reason_gives_an_answer)
+{
+    TextureSet set;
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (const Extension extension : {Extension::Repeat, Extension::Extend, Extension::Clip}) {
+        const int t = add_two_by_two(set, extension, Interpolation::Linear);
+        EXPECT_EQ(set.lookup(t, {NAN, 0.0f}), magenta);
+        EXPECT_EQ(set.lookup(t, {0.0f, infinity}), magenta);
+        for (const float huge : {1e8f, -1e20f, std::numeric_limits<float>::max()}) {
+            const Color4f c = set.lookup(t, {huge, 0.3f});
+            EXPECT_TRUE(c.r >= 0.0f && c.r <= 4.0f) << huge;
+        }
+    }
+}
+
+TEST(Textures, pixels_that_do_not_fit_their_size_are_refused)
+{
+    TextureSet set;
+    EXPECT_THROW(set.add_pixels("short", PixelsF32{2, 3, two_by_two}, {}), std::invalid_argument);
+    EXPECT_THROW(set.add_pixels("empty", PixelsF32{0, 0, {}}, {}), std::invalid_argument);
+}
+
+TEST(Textures, threads_see_the_same_as_one)
+{
+    TextureSet set;
+    const int t = set.add_file(data_dir + "straight_alpha_4x3.png", {});
+    const auto sum_of_lookups = [&] {
+        double sum = 0.0;
+        for (int i = 0; i < 20000; ++i) {
+            sum += double(set.lookup(t, {float(i) * 0.013f, float(i) * 0.007f}).g);
+        }
+        return sum;
+    };
+    std::vector<double> sums(4);
+    std::vector<std::thread> threads;
+    for (double& sum : sums) {
+        threads.emplace_back([&] { sum = sum_of_lookups(); });
+    }
+    for (std::thread& thread : threads) {
+        thread.join();
+    }
+    for (const double sum : sums) {
+        EXPECT_EQ(sum, sum_of_lookups());
+    }
+}
+
+TEST(Textures, shrinking_keeps_the_mean_and_the_bottom_row_first)
+{
+    std::vector<float> rgba;
+    double mean = 0.0;
+    for (int y = 0; y < 6; ++y) {
+        for (int x = 0; x < 12; ++x) {
+            const float value = float(y * 100 + x);
+            mean += double(value) / 72.0;
+            rgba.insert(rgba.end(), {value, 0.0f, 0.0f, 1.0f});
+        }
+    }
+    TextureSet set;
+    const int t =
+        set.add_pixels("ramp", PixelsF32{12, 6, rgba}, {.colorspace = Colorspace::Linear});
+    const LinearPixels small = set.load_linear_pixels(t, 4);
+    ASSERT_EQ(small.width, 4);
+    ASSERT_EQ(small.height, 2);
+    double small_mean = 0.0;
+    for (const Color3f& c : small.rgb) {
+        small_mean += double(c.x) / 8.0;
+    }
+    EXPECT_NEAR(small_mean, mean, 1e-3);
+    EXPECT_NEAR(small.rgb[0].x, 101.0f, 1e-3f);  // rows 0 to 2, columns 0 to 2
+    EXPECT_EQ(set.load_linear_pixels(t, 1000).width, 12);
+}
+
+}  // namespace
+}  // namespace eye_render
