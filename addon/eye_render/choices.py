@@ -20,9 +20,16 @@ PUPIL_MODES = [
 ]
 
 PUPIL_FORMULAS = [
-    ("WATSON_YELLOTT", "Watson & Yellott", "Unified formula of 2012, with field area and age", 0),
-    ("BLACKIE_HOWLAND", "Blackie & Howland", "Formula of 1999, from luminance alone", 1),
-    ("PAPER", "Wang & Xiao 2013", "The paper's formula, from Gaussian-weighted luminance", 2),
+    ("WATSON_YELLOTT", "Watson & Yellott 2012", "Unified, from luminance, field and age", 0),
+    ("BLACKIE_HOWLAND", "Blackie & Howland 1999", "From luminance alone", 1),
+    ("PAPER", "Wang & Xiao 2013", "The paper's equation 19, as printed", 2),
+    ("HOLLADAY", "Holladay 1926", "From luminance alone", 3),
+    ("CRAWFORD", "Crawford 1936", "From luminance alone", 4),
+    ("MOON_SPENCER", "Moon & Spencer 1944", "From luminance alone", 5),
+    ("DE_GROOT_GEBHARD", "De Groot & Gebhard 1952", "From luminance alone", 6),
+    ("STANLEY_DAVIES", "Stanley & Davies 1995", "From luminance and field", 7),
+    ("BARTEN", "Barten 1999", "From luminance and field", 8),
+    ("WINN", "Winn et al. 1994", "From luminance and age", 9),
 ]
 
 FOCUS_MODES = [
@@ -45,8 +52,10 @@ QUALITIES = [
 ]
 QUALITY_SAMPLES = {"DRAFT": 16, "PREVIEW": 64, "FINAL": 256, "REFERENCE": 4096}
 
-PUPIL_RANGE_MM = (0.1, 12.0)
-FOCUS_RANGE_M = (0.01, 1e9)
-AGE_RANGE_YEARS = (1.0, 120.0)
-SAMPLES_RANGE = (1, 1 << 20)
+# As the core checks them.
+PUPIL_RANGE_MM = (0.0, 9.0)
+FOCUS_RANGE_M = (0.01, 1e12)
+AGE_RANGE_YEARS = (0.0, 120.0)
+SAMPLES_RANGE = (1, 1 << 24)
+FILTER_RANGE_PX = (0.01, 10.0)
 SEED_RANGE = (0, (1 << 31) - 1)

@@ -94,7 +94,8 @@ def _render_view(
 
     engine.update_stats("", "Preparing the render")
     with RenderSession(core_scene, observer, core_settings) as session:
-        _say(session.plan_text)
+        for line in session.plan_text.strip().splitlines():
+            _say(line)
         for sentence in session.warnings:
             warn(sentence)
         _stamp(engine, {**session.metadata, "eye": eye.lower()}, view_name)

@@ -102,7 +102,9 @@ class EyeRenderPrescription(PropertyGroup):
 
     def as_core(self):
         """The numbers as the core's Prescription; they lead, because they can be animated."""
-        return core.require().Prescription(self.sphere, self.cylinder, self.axis, self.add)
+        numbers = (self.sphere, self.cylinder, self.axis, self.add)
+        # Blender's single precision turns -2.1 into -2.0999999; nobody means that.
+        return core.require().Prescription(*(round(number, 5) for number in numbers))
 
     def problem(self) -> str:
         """What is wrong with the text, as a sentence; empty if nothing is."""
@@ -157,7 +159,6 @@ class EyeRenderObserver(PropertyGroup):
         min=choices.PUPIL_RANGE_MM[0],
         max=choices.PUPIL_RANGE_MM[1],
         soft_min=1.5,
-        soft_max=9.0,
         step=25,
         precision=2,
     )

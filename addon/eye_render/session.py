@@ -65,6 +65,7 @@ def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list
     settings = scene.eye_render
     quality = overrides.quality or settings.quality
     samples = overrides.samples or choices.QUALITY_SAMPLES.get(quality, settings.samples)
+    narrowest, widest = choices.FILTER_RANGE_PX
     with core.speaking() as eyecore:
         return eyecore.Settings(
             samples=samples,
@@ -75,7 +76,7 @@ def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list
             passes=pass_names,
             threads=scene.render.threads if scene.render.threads_mode == "FIXED" else 0,
             film_transparent=scene.render.film_transparent,
-            filter_width_px=scene.render.filter_size,
+            filter_width_px=min(max(scene.render.filter_size, narrowest), widest),
         )
 
 
@@ -113,9 +114,7 @@ class RenderSession:
         return is_finished
 
     def progress(self) -> Progress:
-        return Progress(
-            self._core.samples_done, self._core.samples_total, self._core.progress
-        )
+        return Progress(self._core.samples_done, self._core.samples_total, self._core.progress)
 
     def snapshot(self) -> dict[str, np.ndarray]:
         """The picture so far: (height, width, channels) for each pass, rows bottom-up."""

@@ -43,9 +43,9 @@ def test_options_of_others_are_passed_over():
     [
         ("--eye-rx", "-2.00 -0.75", "axis"),
         ("--eye-side", "both", "expected right, left"),
-        ("--eye-pupil", "wide", "expected 0.1 to 12 mm or auto"),
-        ("--eye-pupil", "nan", "expected 0.1 to 12 mm or auto"),
-        ("--eye-age", "-3", "expected 1 to 120 years"),
+        ("--eye-pupil", "wide", "expected 0 to 9 mm or auto"),
+        ("--eye-pupil", "nan", "expected 0 to 9 mm or auto"),
+        ("--eye-age", "-3", "expected 0 to 120 years"),
         ("--eye-model", "navarro", "expected pinhole, paper, paraxial"),
         ("--eye-samples", "0", "expected 1 to"),
         ("--eye-samples", "1.5", "expected 1 to"),

@@ -22,6 +22,11 @@ def test_a_changed_number_rewrites_the_text(prescription):
     assert prescription.cylinder == -0.75
 
 
+def test_numbers_do_not_show_their_single_precision(prescription):
+    prescription.sphere = -2.1
+    assert prescription.text == "-2.10DS"
+
+
 def test_text_that_is_no_prescription_is_explained_and_leaves_the_numbers(prescription):
     prescription.text = "-2.00DS -0.75DC 160A"
     prescription.text = "-2.00 -0.75"
