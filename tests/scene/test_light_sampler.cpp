@@ -125,18 +125,23 @@ TEST(LightSampler, chooses_as_often_as_the_probability_says)
                 ASSERT_TRUE(choice);
                 ++chosen[{choice->kind, choice->index}];
             }
-            // Lights that were never chosen share what the others leave.
-            std::vector<double> observed = {0.0};
-            std::vector<double> expected = {double(count)};
-            for (const auto& [light, times] : chosen) {
-                const float probability = sampler.probability(light.first, light.second, p, n);
-                observed.push_back(times);
-                expected.push_back(count * double(probability));
-                expected[0] -= expected.back();
-            }
-            expected[0] = std::max(0.0, expected[0]);
-            if (observed.size() == 2) {
-                continue;  // one light only: nothing to compare
+            std::vector<double> observed;
+            std::vector<double> expected;
+            const auto add = [&](LightKind kind, std::size_t lights_of_kind) {
+                for (std::uint32_t i = 0; i < lights_of_kind; ++i) {
+                    const double probability = double(sampler.probability(kind, i, p, n));
+                    if (probability > 0.0) {
+                        expected.push_back(count * probability);
+                        observed.push_back(chosen[{kind, i}]);
+                    }
+                }
+            };
+            add(LightKind::Environment, 1);
+            add(LightKind::Lamp, lights.lamps.size());
+            add(LightKind::Triangle, lights.triangles.size());
+            if (observed.size() == 1) {
+                EXPECT_EQ(observed[0], count) << lights.name;
+                continue;
             }
             const test::ChiSquared chi = test::chi_squared_test(observed, expected, significance);
             EXPECT_LT(chi.statistic, chi.critical) << lights.name << " at " << p;
