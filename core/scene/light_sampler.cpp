@@ -24,45 +24,54 @@ constexpr float even_share = 0.04f;
 // Keeps the importance finite at a lamp's very centre.
 constexpr float smallest_distance2 = 1e-12f;
 
-// cos(a - b), or 1 where b exceeds a: the best that an angle known to within b can be.
-float cos_within(float cos_a, float cos_b)
+// An angle known as its cosine and sine.
+struct Angle {
+    float cosine = 1.0f;
+    float sine = 0.0f;
+};
+
+// cos(a - b), or 1 where b exceeds a: the best that the angle a can be if known to within b.
+float cos_within(float cos_a, const Angle& b)
 {
-    if (cos_a >= cos_b) {
+    if (cos_a >= b.cosine) {
         return 1.0f;
     }
     const float sin_a = std::sqrt(std::max(0.0f, 1.0f - cos_a * cos_a));
-    const float sin_b = std::sqrt(std::max(0.0f, 1.0f - cos_b * cos_b));
-    return cos_a * cos_b + sin_a * sin_b;
+    return cos_a * b.cosine + sin_a * b.sine;
+}
+
+float distant_importance(const LightEmitter& emitter, const V3f& n_world)
+{
+    if (emitter.axis == V3f(0.0f) || n_world == V3f(0.0f)) {
+        return emitter.intensity;
+    }
+    const float cosine = emitter.cos_edge;
+    const Angle half{cosine, std::sqrt(std::max(0.0f, 1.0f - cosine * cosine))};
+    return emitter.intensity * std::max(0.0f, cos_within(-emitter.axis.dot(n_world), half));
 }
 
 // The irradiance that the emitter can give the point at most, roughly.
 float importance(const LightEmitter& emitter, const V3f& p_world, const V3f& n_world)
 {
-    const bool has_axis = emitter.axis != V3f(0.0f);
     if (emitter.is_distant) {
-        // A sun below the horizon by more than its own half angle gives nothing.
-        const bool has_normal = n_world != V3f(0.0f);
-        return has_axis && has_normal
-                   ? emitter.intensity *
-                         std::max(0.0f, cos_within(-emitter.axis.dot(n_world), emitter.cos_edge))
-                   : emitter.intensity;
+        return distant_importance(emitter, n_world);
     }
     const V3f to_emitter = emitter.center_world - p_world;
-    const float distance2 = to_emitter.length2();
+    const float distance2 = std::max(to_emitter.length2(), smallest_distance2);
     const float radius2 = emitter.radius * emitter.radius;
-    if (distance2 <= radius2 || distance2 == 0.0f) {
-        // In the midst of it: as from its rim.
-        return emitter.intensity / std::max(radius2, smallest_distance2);
+    if (distance2 <= radius2) {
+        return emitter.intensity / radius2;  // in its midst: as from its rim
     }
-    const float distance = std::sqrt(distance2);
-    const float cos_radius = std::sqrt(1.0f - radius2 / distance2);
-    const V3f wi = to_emitter / distance;
-    float result = emitter.intensity / std::max(distance2, smallest_distance2);
+    const float inverse_distance = 1.0f / std::sqrt(distance2);
+    const float sine = emitter.radius * inverse_distance;
+    const Angle seen_radius{std::sqrt(1.0f - sine * sine), sine};
+    const V3f wi = to_emitter * inverse_distance;
+    float result = emitter.intensity * inverse_distance * inverse_distance;
     if (n_world != V3f(0.0f)) {
-        result *= std::max(0.0f, cos_within(wi.dot(n_world), cos_radius));
+        result *= std::max(0.0f, cos_within(wi.dot(n_world), seen_radius));
     }
-    if (has_axis) {
-        const float cosine = cos_within(-wi.dot(emitter.axis), cos_radius);
+    if (emitter.axis != V3f(0.0f)) {
+        const float cosine = cos_within(-wi.dot(emitter.axis), seen_radius);
         if (cosine < emitter.cos_edge) {
             return 0.0f;
         }

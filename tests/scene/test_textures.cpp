@@ -77,6 +77,17 @@ TEST(Textures, extension_modes_differ_outside)
     expect_near(set.lookup(clip, {0.0f, 0.25f}), {1, 0, 0, 0.5f}, 1e-5f, "clip, on the edge");
 }
 
+TEST(Textures, images_without_alpha_are_clear_outside_when_clipped)
+{
+    TextureSet set;
+    const TextureOptions clip{.colorspace = Colorspace::Linear, .extension = Extension::Clip};
+    const int t = set.add_file(data_dir + "flat.hdr", clip);  // 8 x 8, three channels
+    expect_near(set.lookup(t, {0.5f, 0.5f}), {3.0f, 1.5f, 0.75f, 1.0f}, 0.02f, "inside");
+    expect_near(set.lookup(t, {0.0f, 0.5f}), {3.0f, 1.5f, 0.75f, 0.5f}, 0.02f, "left edge");
+    expect_near(set.lookup(t, {1.0f, 1.0f}), {3.0f, 1.5f, 0.75f, 0.25f}, 0.02f, "corner");
+    expect_near(set.lookup(t, {1.1f, 0.5f}), Color4f(0.0f), 0.0f, "outside");
+}
+
 TEST(Textures, closest_takes_one_texel)
 {
     TextureSet set;
