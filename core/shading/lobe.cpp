@@ -21,6 +21,18 @@ namespace {
 // cannot be had from two nearly opposite directions: the glass becomes a delta.
 constexpr float matched_ior = 1e-3f;
 
+[[nodiscard]] Lobe make_lobe(LobeKind kind, const Color3f& weight, const V3f& normal, float alpha)
+{
+    return {.kind = kind,
+            .weight = weight,
+            .normal = normal,
+            .smooth_normal = normal,
+            .alpha = alpha,
+            .ior = 1.0f,
+            .f0 = Color3f(0.0f),
+            .transmission = Color3f(0.0f)};
+}
+
 struct Split {
     Color3f reflected;
     Color3f transmitted{0.0f};
@@ -154,44 +166,31 @@ bool Lobe::is_delta() const
 
 Lobe straight_lobe(const Color3f& weight)
 {
-    Lobe lobe;
-    lobe.kind = LobeKind::Straight;
-    lobe.weight = weight;
-    return lobe;
+    return make_lobe(LobeKind::Straight, weight, V3f(0.0f), 0.0f);
 }
 
 Lobe diffuse_lobe(const Color3f& weight, const V3f& normal, const V3f& smooth_normal)
 {
-    Lobe lobe;
-    lobe.kind = LobeKind::Diffuse;
-    lobe.weight = weight;
-    lobe.normal = normal;
+    Lobe lobe = make_lobe(LobeKind::Diffuse, weight, normal, 0.0f);
     lobe.smooth_normal = smooth_normal;
     return lobe;
 }
 
 Lobe glossy_lobe(const Color3f& weight, const V3f& normal, float alpha)
 {
-    Lobe lobe;
-    lobe.kind = LobeKind::Glossy;
-    lobe.weight = weight;
-    lobe.normal = normal;
-    lobe.alpha = alpha;
-    return lobe;
+    return make_lobe(LobeKind::Glossy, weight, normal, alpha);
 }
 
 Lobe metal_lobe(const Color3f& weight, const V3f& normal, float alpha, const Color3f& f0)
 {
-    Lobe lobe = glossy_lobe(weight, normal, alpha);
-    lobe.kind = LobeKind::Metal;
+    Lobe lobe = make_lobe(LobeKind::Metal, weight, normal, alpha);
     lobe.f0 = f0;
     return lobe;
 }
 
 Lobe dielectric_lobe(const Color3f& weight, const V3f& normal, float alpha, float ior)
 {
-    Lobe lobe = glossy_lobe(weight, normal, alpha);
-    lobe.kind = LobeKind::Dielectric;
+    Lobe lobe = make_lobe(LobeKind::Dielectric, weight, normal, alpha);
     lobe.ior = ior;
     return lobe;
 }
@@ -202,8 +201,7 @@ Lobe glass_lobe(const Color3f& reflection,
                 float alpha,
                 float ior)
 {
-    Lobe lobe = glossy_lobe(reflection, normal, alpha);
-    lobe.kind = LobeKind::Glass;
+    Lobe lobe = make_lobe(LobeKind::Glass, reflection, normal, alpha);
     lobe.ior = ior;
     lobe.transmission = transmission;
     return lobe;

@@ -24,7 +24,8 @@ enum class LobeKind : std::uint8_t {
     Glass,       // GGX reflection and transmission, dielectric Fresnel
 };
 
-// What a kind does not use stays unset: lobes are made per hit, and clearing them would cost.
+// Made by the functions below only. Without initialisers because a mixture holds room for several
+// per hit, and clearing it would cost a tenth of shading.
 struct Lobe {
     LobeKind kind;
     Color3f weight;

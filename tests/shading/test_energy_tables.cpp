@@ -126,6 +126,11 @@ TEST(EnergyTables, agree_with_those_of_cycles)
     }
 }
 
+TEST(EnergyTables, no_boundary_loses_light_between_equal_indices)
+{
+    EXPECT_NEAR(glass_energy(1.0f, 0.5f, 1.0f).albedo, 1.0f, 1e-6f);
+}
+
 TEST(EnergyTables, a_smooth_lobe_needs_no_compensation_and_grazing_views_stay_finite)
 {
     EXPECT_NEAR(energy_compensation(reflection_energy(0.0f, 0.3f), Color3f(1.0f)).x, 1.0f, 1e-4f);

@@ -8,8 +8,13 @@ namespace {
 TEST(Frame, is_orthonormal_and_right_handed_around_any_normal)
 {
     constexpr float tolerance = 1e-6f;  // a few roundings of unit numbers
-    const V3f normals[] = {{0, 0, 1},           {0, 0, -1},          {1, 0, 0},
-                           {0, -1, 0},          {0.6f, 0.0f, -0.8f}, {0.48f, -0.6f, 0.64f},
+    const V3f normals[] = {{0, 0, 1},
+                           {0, 0, -1},
+                           {1, 0, 0},
+                           {0, -1, 0},
+                           {0.6f, 0.0f, -0.8f},
+                           {0.48f, -0.6f, 0.64f},
+                           {0.48f, -0.6f, -0.64f},
                            {1e-4f, 0.0f, -1.0f}};
     for (const V3f& normal : normals) {
         const V3f n = normal.normalized();
