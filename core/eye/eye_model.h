@@ -34,8 +34,8 @@ public:
                                      const V2d& pupil_point_m,
                                      double wavelength_nm) const = 0;
 
-    // K, the conjugate vergence of the retina in dioptres near the axis, camera frame: an object at
-    // distance x is blurred by E = K - I/x. Zero for a pinhole, which has no blur at all.
+    // K, the conjugate vergence of the retina in dioptres near the axis, camera frame: an object
+    // at distance x is blurred by E = K - I/x. Zero for a pinhole, which has no blur at all.
     [[nodiscard]] virtual PowerMatrix retinal_conjugate_d() const = 0;
 
     [[nodiscard]] virtual double pupil_diameter_m() const = 0;

@@ -8,7 +8,9 @@ namespace {
 
 class PinholeEye final : public EyeModel {
 public:
-    [[nodiscard]] EyeRay ray(const V2d& chief_slope, const V2d&, double) const override
+    [[nodiscard]] EyeRay ray(const V2d& chief_slope,
+                             const V2d& /*pupil_point_m*/,
+                             double /*wavelength_nm*/) const override
     {
         return {.slope = chief_slope};
     }

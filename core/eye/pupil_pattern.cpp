@@ -42,7 +42,8 @@ V2d pupil_point(const PupilPattern& pattern, std::uint32_t sample, const V2f& u)
     if (pattern.kind == PupilPatternKind::Circinate) {
         return circinate_point(pattern, sample);
     }
-    return V2d(sample_uniform_disk(u));
+    const V2f p = sample_uniform_disk(u);
+    return {p.x, p.y};
 }
 
 }  // namespace eye_render

@@ -1,8 +1,8 @@
 // The dioptric power matrix: a symmetric 2x2 matrix in dioptres, and its algebra.
 //
 // Long 1976 / Thibos 1997: F = [[M + J0, J45], [J45, M - J0]] = S uu' + (S + C) vv' with u along
-// the cylinder axis. A thin lens of power F bends a ray at p (metres) by slope_out = slope_in - F p.
-// The frame (TABO or camera) is the caller's and stands in the variable's name.
+// the cylinder axis. A thin lens of power F bends a ray at p (metres) by slope_out = slope_in - F
+// p. The frame (TABO or camera) is the caller's and stands in the variable's name.
 
 #pragma once
 

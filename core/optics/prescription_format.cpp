@@ -3,6 +3,7 @@
 #include "optics/prescription_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 
 namespace eye_render {
@@ -13,10 +14,10 @@ namespace {
 std::string decimal_text(double value, std::size_t decimals)
 {
     // Longer than any number in range: 17 significant digits after the zeros of a denormal.
-    char buffer[400];
-    const auto end =
-        std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr;
-    std::string text(buffer, end);
+    std::array<char, 400> buffer{};
+    const char* const end =
+        std::to_chars(buffer.begin(), buffer.end(), value, std::chars_format::fixed).ptr;
+    std::string text(buffer.cbegin(), end);
     if (decimals > 0) {
         if (text.find('.') == std::string::npos) {
             text += '.';

@@ -154,6 +154,17 @@ TEST(Sobol, neighbouring_pixels_seeds_samples_and_groups_are_uncorrelated)
     }
 }
 
+TEST(Sobol, another_seed_is_not_the_same_picture_shifted)
+{
+    std::set<std::uint64_t> keys;
+    for (std::uint64_t seed = 0; seed < 32; ++seed) {
+        for (std::uint64_t pixel = 0; pixel < 512; ++pixel) {
+            keys.insert(sobol_key(seed, pixel));
+        }
+    }
+    EXPECT_EQ(keys.size(), 32u * 512u);
+}
+
 TEST(Sobol, one_sample_is_uniform_over_the_pixels)
 {
     constexpr unsigned pixels = 1u << 20;

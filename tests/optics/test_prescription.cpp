@@ -127,6 +127,11 @@ TEST(Prescription, a_lens_and_its_opposite_leave_nothing)
     EXPECT_EQ(crossed(rx, opposite), Prescription{});
 }
 
+TEST(Prescription, a_sphere_has_no_axis_whatever_rounding_left_of_a_cylinder)
+{
+    EXPECT_EQ(prescription_from(PowerVector{-1.0, 1e-13, -1e-13}), Prescription{.sphere_d = -1.0});
+}
+
 TEST(Prescription, changes_plane_as_the_vectors)
 {
     for (const Json& vector : test::vectors_of_kind("vertex_effectivity")) {
