@@ -5,8 +5,8 @@ import numpy as np
 
 
 def uses_nodes(datablock: bpy.types.ID) -> bool:
-    """True if material or world is shaded by its node tree; from Blender 5.0 it always is."""
-    if bpy.app.version >= (5, 0, 0):
+    """True if the node tree counts; from Blender 5.0 that of materials and worlds always does."""
+    if bpy.app.version >= (5, 0, 0) and not isinstance(datablock, bpy.types.Light):
         return datablock.node_tree is not None
     return datablock.use_nodes and datablock.node_tree is not None
 

@@ -73,6 +73,15 @@ def emitter(color: tuple[float, float, float], name: str = "Glow") -> bpy.types.
     return material
 
 
+def write_multilayer(scene: bpy.types.Scene, path: str) -> None:
+    """Make the scene's renders multilayer EXR files."""
+    settings = scene.render.image_settings
+    if hasattr(settings, "media_type"):  # from Blender 5.0
+        settings.media_type = "MULTI_LAYER_IMAGE"
+    settings.file_format = "OPEN_EXR_MULTILAYER"
+    scene.render.filepath = path
+
+
 class RecordingScene:
     """Stands where the core's scene stands, and keeps every argument."""
 

@@ -5,7 +5,7 @@ import subprocess
 import bpy
 import numpy as np
 import pytest
-from scenes import add_object, emitter, quad_mesh
+from scenes import add_object, emitter, quad_mesh, write_multilayer
 
 RED = (1.0, 0.0, 0.0)
 GREEN = (0.0, 1.0, 0.0)
@@ -77,8 +77,7 @@ def test_every_enabled_pass_arrives_in_the_file(scene, tmp_path):
     view_layer.use_pass_z = view_layer.use_pass_normal = True
     switches = view_layer.eye_render
     switches.use_pass_albedo = switches.use_pass_defocus = switches.use_pass_blur = True
-    scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
-    scene.render.filepath = str(tmp_path / "passes.exr")
+    write_multilayer(scene, str(tmp_path / "passes.exr"))
     bpy.ops.render.render(write_still=True)
     info = file_info(scene.render.filepath)
     for channel in ("Depth.Z", "Normal.X", "Albedo.R", "Defocus.X", "Blur.X"):
@@ -143,8 +142,7 @@ def test_each_view_layer_renders_its_own_objects(scene, tmp_path):
     second = scene.view_layers.new("Second")
     scene.view_layers[0].layer_collection.children["Green"].exclude = True
     second.layer_collection.children["Red"].exclude = True
-    scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
-    scene.render.filepath = str(tmp_path / "layers.exr")
+    write_multilayer(scene, str(tmp_path / "layers.exr"))
     bpy.ops.render.render(write_still=True)
     info = file_info(scene.render.filepath)
     assert "Second.Combined.G" in info

@@ -63,7 +63,7 @@ def _area(light: bpy.types.Light, shape: dict[str, object]) -> float:
 
 def _emission_factor(light: bpy.types.Light, warn: Callable[[str], None]) -> np.ndarray:
     """What the light's own node tree multiplies its colour by."""
-    if not light.use_nodes:
+    if not compat.uses_nodes(light):
         return np.ones(3)
     output = light.node_tree.get_output_node("CYCLES")
     emission = source_node(output.inputs["Surface"]) if output else None
