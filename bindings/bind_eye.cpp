@@ -82,8 +82,7 @@ void bind_eye(py::module_& m)
     py::class_<BlurEllipse>(m, "BlurEllipse", "Full diameters of a point's blur.")
         .def_readonly("major_arcmin", &BlurEllipse::major_arcmin)
         .def_readonly("minor_arcmin", &BlurEllipse::minor_arcmin)
-        .def_readonly("angle_deg",
-                      &BlurEllipse::angle_deg,
+        .def_readonly("angle_deg", &BlurEllipse::angle_deg,
                       "Of the major diameter, counter-clockwise from +X as the patient sees it;\n"
                       "None when round.")
         .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin);
@@ -92,21 +91,14 @@ void bind_eye(py::module_& m)
         .def(py::init([](const std::string& model, const py::object& rx,
                          const std::string& rx_plane, double vertex_mm, double pupil_mm,
                          double accommodation_d) {
-                 return std::const_pointer_cast<EyeModel>(make_python_eye(
-                     model, rx, rx_plane, vertex_mm, pupil_mm, accommodation_d));
+                 return std::const_pointer_cast<EyeModel>(
+                     make_python_eye(model, rx, rx_plane, vertex_mm, pupil_mm, accommodation_d));
              }),
-             "model"_a = "paraxial",
-             "rx"_a = "plano",
-             "rx_plane"_a = "spectacle",
-             "vertex_mm"_a = 12.0,
-             "pupil_mm"_a = 4.0,
-             "accommodation_d"_a = 0.0)
-        .def("rays",
-             &rays,
-             "chief_slope"_a,
-             "pupil_point_m"_a,
-             "wavelength_nm"_a = 555.0,
-             "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, 2).")
+             "model"_a = "paraxial", "rx"_a = "plano", "rx_plane"_a = "spectacle",
+             "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0, "accommodation_d"_a = 0.0)
+        .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
+             "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
+             "2).")
         .def(
             "blur_ellipse",
             [](const EyeModel& eye, double distance) {
@@ -134,16 +126,12 @@ void bind_eye(py::module_& m)
                                          .eyes = eyes})
                                  .diameter_m);
         },
-        "formula"_a,
-        "luminance_cd_m2"_a,
-        "area_deg2"_a = 3600.0,
-        "age_years"_a = 30.0,
-        "eyes"_a = 2,
-        "Diameter of the entrance pupil, clamped to 1.5 to 9 mm.");
-    m.def("accommodation_amplitude_d",
-          [](double age_years) { return accommodation_amplitude_d(age_years); },
-          "age_years"_a,
-          "Hofstetter's mean amplitude.");
+        "formula"_a, "luminance_cd_m2"_a, "area_deg2"_a = 3600.0, "age_years"_a = 30.0,
+        "eyes"_a = 2, "Diameter of the entrance pupil, clamped to 1.5 to 9 mm.");
+    m.def(
+        "accommodation_amplitude_d",
+        [](double age_years) { return accommodation_amplitude_d(age_years); }, "age_years"_a,
+        "Hofstetter's mean amplitude.");
 }
 
 }  // namespace eye_render

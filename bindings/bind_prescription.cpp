@@ -42,15 +42,11 @@ void bind_prescription(py::module_& m)
                  require_valid(rx);
                  return rx;
              }),
-             "sphere_d"_a = 0.0,
-             "cylinder_d"_a = 0.0,
-             "axis_deg"_a = 180.0,
-             "add_d"_a = 0.0)
-        .def_static("parse",
-                    &parse_prescription,
-                    "text"_a,
-                    "From the usual notations, such as '-2.00DS -0.75DC 160A'. ValueError says why\n"
-                    "a text is none.")
+             "sphere_d"_a = 0.0, "cylinder_d"_a = 0.0, "axis_deg"_a = 180.0, "add_d"_a = 0.0)
+        .def_static(
+            "parse", &parse_prescription, "text"_a,
+            "From the usual notations, such as '-2.00DS -0.75DC 160A'. ValueError says why\n"
+            "a text is none.")
         .def_readonly("sphere_d", &Prescription::sphere_d)
         .def_readonly("cylinder_d", &Prescription::cylinder_d)
         .def_readonly("axis_deg", &Prescription::axis_deg)
@@ -59,7 +55,9 @@ void bind_prescription(py::module_& m)
         .def("text", &format_prescription)
         .def("__str__", &format_prescription)
         .def("__repr__",
-             [](const Prescription& rx) { return "Prescription('" + format_prescription(rx) + "')"; })
+             [](const Prescription& rx) {
+                 return "Prescription('" + format_prescription(rx) + "')";
+             })
         .def("transposed", &transposed, "The same lens in the other cylinder form.")
         .def(
             "power_vector",

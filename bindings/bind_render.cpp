@@ -33,20 +33,17 @@ Observer make_observer(const std::string& model,
     if (py::isinstance<py::str>(pupil)) {
         static_cast<void>(
             named<int>("pupil", pupil.cast<std::string>(), {{"auto", 0}, {"a number of mm", 0}}));
-    }
-    else {
+    } else {
         observer.pupil_mm = pupil.cast<double>();
     }
     observer.pupil_formula = named_of("pupil_formula", pupil_formula, pupil_formulas);
     observer.cd_m2_per_unit = cd_m2_per_unit;
     observer.luminance_sigma = luminance_sigma;
     if (py::isinstance<py::str>(focus)) {
-        observer.focus = named<FocusMode>(
-            "focus",
-            focus.cast<std::string>(),
-            {{"relaxed", FocusMode::Relaxed}, {"center", FocusMode::Center}});
-    }
-    else {
+        observer.focus =
+            named<FocusMode>("focus", focus.cast<std::string>(),
+                             {{"relaxed", FocusMode::Relaxed}, {"center", FocusMode::Center}});
+    } else {
         observer.focus = FocusMode::Distance;
         observer.focus_distance_m = focus.cast<double>();
     }
@@ -96,7 +93,8 @@ py::dict snapshot(Engine& engine)
         py::array_t<float> array({static_cast<py::ssize_t>(image.height),
                                   static_cast<py::ssize_t>(image.width),
                                   static_cast<py::ssize_t>(pass.channels())});
-        std::memcpy(array.mutable_data(), image.pixels.data(), image.pixels.size() * sizeof(float));
+        std::memcpy(array.mutable_data(), image.pixels.data(),
+                    image.pixels.size() * sizeof(float));
         result[py::str(std::string(pass.name))] = array;
     }
     return result;
@@ -136,51 +134,33 @@ void bind_render(py::module_& m)
 
     py::list passes;
     for (const PassInfo& pass : pass_table) {
-        passes.append(py::make_tuple(
-            std::string(pass.name), pass.channels(), std::string(pass.channel_ids)));
+        passes.append(py::make_tuple(std::string(pass.name), pass.channels(),
+                                     std::string(pass.channel_ids)));
     }
     m.attr("PASSES") = passes;
 
     py::class_<Observer>(m, "Observer", "Who looks: prescription, pupil, focus, age.")
-        .def(py::init(&make_observer),
-             py::kw_only(),
-             "model"_a = "paraxial",
-             "rx"_a = "plano",
-             "rx_plane"_a = "spectacle",
-             "vertex_mm"_a = 12.0,
-             "age_years"_a = 30.0,
-             "pupil"_a = "auto",
-             "pupil_formula"_a = "WATSON_YELLOTT",
-             "cd_m2_per_unit"_a = 179.0,
-             "luminance_sigma"_a = 0.5,
-             "focus"_a = "relaxed",
+        .def(py::init(&make_observer), py::kw_only(), "model"_a = "paraxial", "rx"_a = "plano",
+             "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "age_years"_a = 30.0,
+             "pupil"_a = "auto", "pupil_formula"_a = "WATSON_YELLOTT", "cd_m2_per_unit"_a = 179.0,
+             "luminance_sigma"_a = 0.5, "focus"_a = "relaxed",
              "pupil: 'auto' or mm. focus: 'relaxed', 'center' or metres.");
 
     py::class_<RenderSettings>(m, "Settings", "How it is rendered.")
-        .def(py::init(&make_settings),
-             py::kw_only(),
-             "samples"_a = 64,
-             "max_bounces"_a = 8,
-             "seed"_a = 0,
-             "sample_range"_a = py::none(),
-             "pattern"_a = "SOBOL",
-             "passes"_a = std::vector<std::string>{"Combined"},
-             "threads"_a = 0,
-             "film_transparent"_a = false,
-             "filter_width_px"_a = 1.5,
-             "sample_range: (first, last), last excluded, in place of samples. threads: 0 for all.");
+        .def(py::init(&make_settings), py::kw_only(), "samples"_a = 64, "max_bounces"_a = 8,
+             "seed"_a = 0, "sample_range"_a = py::none(), "pattern"_a = "SOBOL",
+             "passes"_a = std::vector<std::string>{"Combined"}, "threads"_a = 0,
+             "film_transparent"_a = false, "filter_width_px"_a = 1.5,
+             "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
+             "all.");
 
     py::class_<Engine>(m, "Session", "One render: start, wait, look, cancel.")
-        .def(py::init([](const std::shared_ptr<SceneBuilder>& scene,
-                         const Observer& observer,
+        .def(py::init([](const std::shared_ptr<SceneBuilder>& scene, const Observer& observer,
                          const RenderSettings& settings) {
                  const py::gil_scoped_release release;
                  return std::make_unique<Engine>(scene, observer, settings);
              }),
-             "scene"_a,
-             "observer"_a,
-             "settings"_a,
-             "Checks, plans and builds; starts nothing.")
+             "scene"_a, "observer"_a, "settings"_a, "Checks, plans and builds; starts nothing.")
         .def("start", [](Engine& engine) { engine.session().start(); })
         .def("cancel", [](Engine& engine) { engine.session().cancel(); })
         .def(
@@ -188,31 +168,29 @@ void bind_render(py::module_& m)
             [](Engine& engine, double timeout_s) {
                 return engine.session().wait(std::chrono::duration<double>(timeout_s));
             },
-            "timeout_s"_a,
-            py::call_guard<py::gil_scoped_release>(),
+            "timeout_s"_a, py::call_guard<py::gil_scoped_release>(),
             "True when the render has ended.")
         .def("snapshot", &snapshot, "{pass: float32 (height, width, channels)}, rows bottom-up.")
-        .def_property_readonly(
-            "samples_done", [](Engine& engine) { return engine.session().samples_done(); })
-        .def_property_readonly(
-            "samples_total", [](Engine& engine) { return engine.session().samples_total(); })
-        .def_property_readonly("progress", [](Engine& engine) { return engine.session().progress(); })
+        .def_property_readonly("samples_done",
+                               [](Engine& engine) { return engine.session().samples_done(); })
+        .def_property_readonly("samples_total",
+                               [](Engine& engine) { return engine.session().samples_total(); })
+        .def_property_readonly("progress",
+                               [](Engine& engine) { return engine.session().progress(); })
         .def_property_readonly("error", [](Engine& engine) { return engine.session().error(); })
-        .def_property_readonly("plan_text", [](const Engine& engine) { return engine.plan().text(); })
+        .def_property_readonly("plan_text",
+                               [](const Engine& engine) { return engine.plan().text(); })
         .def_property_readonly("warnings", &Engine::warnings)
         .def_property_readonly("metadata", &Engine::metadata)
-        .def_property_readonly("pupil_mm", [](const Engine& engine) { return engine.eye().pupil_mm; })
+        .def_property_readonly("pupil_mm",
+                               [](const Engine& engine) { return engine.eye().pupil_mm; })
         .def_property_readonly("luminance_cd_m2",
                                [](const Engine& engine) { return engine.eye().luminance_cd_m2; })
         .def_property_readonly("pupil_report", &Engine::pupil_report)
-        .def_property_readonly(
-            "accommodation_d", [](const Engine& engine) { return engine.eye().accommodation_d; });
+        .def_property_readonly("accommodation_d",
+                               [](const Engine& engine) { return engine.eye().accommodation_d; });
 
-    m.def("render",
-          &render,
-          "scene"_a,
-          "observer"_a,
-          "settings"_a,
+    m.def("render", &render, "scene"_a, "observer"_a, "settings"_a,
           "Renders to the end; {pass: float32 (height, width, channels)}, rows bottom-up.");
 }
 

@@ -1,7 +1,6 @@
 // eyecore.Scene: meshes, materials, lights and camera from NumPy arrays.
 
-#include "api/scene_builder.h"
-#include "module.h"
+#include "bind_scene.h"
 
 #include <cmath>
 #include <map>
@@ -10,113 +9,6 @@
 namespace eye_render {
 
 namespace {
-
-struct ImageInput {
-    int texture;
-    std::string uv_layer;
-    Channel channel;
-};
-
-struct AttributeInput {
-    std::string name;
-    Channel channel;
-};
-
-Channel channel_named(const std::string& name)
-{
-    return named<Channel>(
-        "channel", name, {{"COLOR", Channel::Color}, {"AVERAGE", Channel::Average}, {"ALPHA", Channel::Alpha}});
-}
-
-TextureOptions texture_options(const std::string& colorspace,
-                               const std::string& extension,
-                               const std::string& interpolation)
-{
-    return {.colorspace = named<Colorspace>("colorspace",
-                                            colorspace,
-                                            {{"sRGB", Colorspace::Srgb},
-                                             {"Linear", Colorspace::Linear},
-                                             {"Non-Color", Colorspace::NonColor}}),
-            .extension = named<Extension>("extension",
-                                          extension,
-                                          {{"REPEAT", Extension::Repeat},
-                                           {"EXTEND", Extension::Extend},
-                                           {"CLIP", Extension::Clip}}),
-            .interpolation = named<Interpolation>(
-                "interpolation",
-                interpolation,
-                {{"Linear", Interpolation::Linear}, {"Closest", Interpolation::Closest}})};
-}
-
-Color3f color_from(const py::handle& value)
-{
-    const auto c = value.cast<std::array<float, 3>>();
-    return {c[0], c[1], c[2]};
-}
-
-MaterialInput input_from(SceneBuilder& scene, const py::handle& value)
-{
-    MaterialInput input;
-    if (py::isinstance<ImageInput>(value)) {
-        const auto& image = value.cast<const ImageInput&>();
-        if (image.texture < 0 || image.texture >= scene.textures().size()) {
-            throw std::invalid_argument("texture " + std::to_string(image.texture) +
-                                        " does not exist");
-        }
-        input.texture = image.texture;
-        input.uv_layer = scene.uv_layer(image.uv_layer);
-        input.channel = image.channel;
-    }
-    else if (py::isinstance<AttributeInput>(value)) {
-        const auto& attribute = value.cast<const AttributeInput&>();
-        input.color_attribute = scene.color_attribute(attribute.name);
-        input.channel = attribute.channel;
-    }
-    else if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
-        input.constant = Color3f(value.cast<float>());
-    }
-    else {
-        input.constant = color_from(value);
-    }
-    return input;
-}
-
-std::size_t add_material(SceneBuilder& scene,
-                         const std::string& name,
-                         const std::string& surface,
-                         bool multiple_scattering,
-                         const py::kwargs& inputs)
-{
-    Material material;
-    material.name = name;
-    material.multiple_scattering = multiple_scattering;
-    material.surface = named<Surface>("surface",
-                                      surface,
-                                      {{"PRINCIPLED", Surface::Principled},
-                                       {"DIFFUSE", Surface::Diffuse},
-                                       {"GLOSSY", Surface::Glossy},
-                                       {"GLASS", Surface::Glass},
-                                       {"EMISSION", Surface::Emission},
-                                       {"TRANSPARENT", Surface::Transparent}});
-    for (const auto& [key, value] : inputs) {
-        MaterialInput Material::*const member =
-            named<MaterialInput Material::*>("input of material '" + name + "'",
-                                             key.cast<std::string>(),
-                                             {{"base_color", &Material::base_color},
-                                              {"metallic", &Material::metallic},
-                                              {"roughness", &Material::roughness},
-                                              {"specular", &Material::specular},
-                                              {"ior", &Material::ior},
-                                              {"transmission", &Material::transmission},
-                                              {"alpha", &Material::alpha},
-                                              {"emission_color", &Material::emission_color},
-                                              {"emission_strength", &Material::emission_strength},
-                                              {"normal_map", &Material::normal_map},
-                                              {"normal_strength", &Material::normal_strength}});
-        material.*member = input_from(scene, value);
-    }
-    return scene.add_material(std::move(material));
-}
 
 std::size_t add_mesh(SceneBuilder& scene,
                      const std::string& name,
@@ -186,8 +78,7 @@ void add_light(SceneBuilder& scene,
                bool casts_shadow)
 {
     LampSettings settings;
-    settings.kind = named<LampKind>("kind",
-                                    kind,
+    settings.kind = named<LampKind>("kind", kind,
                                     {{"POINT", LampKind::Point},
                                      {"SUN", LampKind::Sun},
                                      {"SPOT", LampKind::Spot},
@@ -263,141 +154,36 @@ void set_camera(SceneBuilder& scene,
     scene.set_camera(frame);
 }
 
-template <typename Pixels, typename Number>
-int add_pixels(SceneBuilder& scene,
-               const std::string& name,
-               const Array<Number>& pixels,
-               const TextureOptions& options)
-{
-    if (pixels.ndim() != 3 || pixels.shape(2) != 4) {
-        throw std::invalid_argument("pixels of '" + name + "' have shape " + shape_text(pixels) +
-                                    "; expected (height, width, 4)");
-    }
-    return scene.textures().add_pixels(
-        name,
-        Pixels{.width = static_cast<int>(pixels.shape(1)),
-               .height = static_cast<int>(pixels.shape(0)),
-               .rgba = {pixels.data(), static_cast<std::size_t>(pixels.size())}},
-        options);
-}
-
 }  // namespace
 
 void bind_scene(py::module_& m)
 {
     using namespace py::literals;
 
-    py::class_<ImageInput>(m, "ImageInput", "A material input read from a texture of the scene.")
-        .def(py::init([](int texture, const std::string& uv_layer, const std::string& channel) {
-                 return ImageInput{texture, uv_layer, channel_named(channel)};
-             }),
-             "texture"_a,
-             "uv_layer"_a = "",
-             "channel"_a = "COLOR");
-    py::class_<AttributeInput>(m, "AttributeInput", "A material input read from a colour attribute.")
-        .def(py::init([](const std::string& name, const std::string& channel) {
-                 return AttributeInput{name, channel_named(channel)};
-             }),
-             "name"_a,
-             "channel"_a = "COLOR");
-
-    py::class_<SceneBuilder, std::shared_ptr<SceneBuilder>>(m, "Scene", "What is to be seen.")
-        .def(py::init<>())
-        .def(
-            "add_texture",
-            [](SceneBuilder& scene,
-               const std::string& path,
-               const std::string& colorspace,
-               const std::string& extension,
-               const std::string& interpolation) {
-                return scene.textures().add_file(
-                    path, texture_options(colorspace, extension, interpolation));
-            },
-            "path"_a,
-            py::kw_only(),
-            "colorspace"_a = "sRGB",
-            "extension"_a = "REPEAT",
-            "interpolation"_a = "Linear",
-            "Number of the texture. A file that cannot be read shows magenta and a warning.")
-        .def(
-            "add_texture_pixels",
-            [](SceneBuilder& scene,
-               const std::string& name,
-               const py::array& pixels,
-               const std::string& colorspace,
-               const std::string& extension,
-               const std::string& interpolation) {
-                const auto options = texture_options(colorspace, extension, interpolation);
-                if (py::isinstance<py::array_t<std::uint8_t>>(pixels)) {
-                    return add_pixels<PixelsU8>(scene, name, Array<std::uint8_t>(pixels), options);
-                }
-                return add_pixels<PixelsF32>(scene, name, Array<float>(pixels), options);
-            },
-            "name"_a,
-            "pixels"_a,
-            py::kw_only(),
-            "colorspace"_a = "sRGB",
-            "extension"_a = "REPEAT",
-            "interpolation"_a = "Linear",
-            "Number of a texture from pixels (height, width, 4), uint8 or float32, rows bottom-up.")
-        .def("add_material",
-             &add_material,
-             "name"_a,
-             "surface"_a = "PRINCIPLED",
-             "multiple_scattering"_a = true,
-             "Number of a material; inputs are numbers, colours, ImageInput or AttributeInput.")
-        .def("add_mesh",
-             &add_mesh,
-             "name"_a,
-             "positions"_a,
-             "triangles"_a,
-             py::kw_only(),
-             "normals"_a = py::none(),
-             "uvs"_a = py::dict(),
-             "colors"_a = py::dict(),
-             "material_slots"_a = py::none(),
-             "active_uv"_a = "",
+    SceneClass scene(m, "Scene", "What is to be seen.");
+    bind_materials(m, scene);
+    scene.def(py::init<>())
+        .def("add_mesh", &add_mesh, "name"_a, "positions"_a, "triangles"_a, py::kw_only(),
+             "normals"_a = py::none(), "uvs"_a = py::dict(), "colors"_a = py::dict(),
+             "material_slots"_a = py::none(), "active_uv"_a = "",
              "Number of a mesh: positions (n, 3), triangles (m, 3), normals (n, 3) or (3 m, 3),\n"
              "UV layers (3 m, 2), colours (3 m, 4) linear, material_slots (m,).")
-        .def("add_instances",
-             &add_instances,
-             "mesh"_a,
-             "world_from_object"_a,
+        .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(),
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot.")
-        .def("add_light",
-             &add_light,
-             "name"_a,
-             "kind"_a,
-             "world_from_light"_a,
-             "color"_a,
-             py::kw_only(),
-             "radius"_a = 0.0f,
-             "angle_rad"_a = 0.0f,
-             "spot_angle_rad"_a = 0.785398f,
-             "spot_blend"_a = 0.15f,
-             "shape"_a = "RECTANGLE",
-             "size_x"_a = 1.0f,
-             "size_y"_a = 1.0f,
-             "spread_rad"_a = 3.1415927f,
-             "casts_shadow"_a = true,
-             "color is colour times energy: W, for the sun W/m^2.")
-        .def("set_world",
-             &set_world,
-             "color"_a = py::make_tuple(0.0, 0.0, 0.0),
-             "strength"_a = 1.0f,
-             "texture"_a = py::none(),
-             "texture_from_world"_a = py::none(),
+        .def("add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
+             py::kw_only(), "radius"_a = 0.0f, "angle_rad"_a = 0.0f,
+             "spot_angle_rad"_a = 0.785398f, "spot_blend"_a = 0.15f, "shape"_a = "RECTANGLE",
+             "size_x"_a = 1.0f, "size_y"_a = 1.0f, "spread_rad"_a = 3.1415927f,
+             "casts_shadow"_a = true, "color is colour times energy: W, for the sun W/m^2.")
+        .def("set_world", &set_world, "color"_a = py::make_tuple(0.0, 0.0, 0.0),
+             "strength"_a = 1.0f, "texture"_a = py::none(), "texture_from_world"_a = py::none(),
              "Radiance = strength times colour, or times an equirectangular texture.")
-        .def("set_camera",
-             &set_camera,
-             "world_from_camera"_a,
-             "slope_bounds"_a,
-             "resolution"_a,
-             "border"_a = py::none(),
-             "clip"_a = std::array<double, 2>{0.001, 1e9},
+        .def("set_camera", &set_camera, "world_from_camera"_a, "slope_bounds"_a, "resolution"_a,
+             "border"_a = py::none(), "clip"_a = std::array<double, 2>{0.001, 1e9},
              "metres_per_unit"_a = 1.0,
-             "slope_bounds: left, right, bottom, top of the full frame, as slopes; border: x0, y0,\n"
+             "slope_bounds: left, right, bottom, top of the full frame, as slopes; border: x0, "
+             "y0,\n"
              "x1, y1 in pixels, x1 and y1 excluded, from the lower left.")
         .def("uv_layers_read", &SceneBuilder::uv_layers_read, "materials"_a)
         .def("color_attributes_read", &SceneBuilder::color_attributes_read, "materials"_a);

@@ -23,8 +23,9 @@ template <typename Table>
 
 // The enumerator with that name, or an error that lists the names.
 template <typename Table>
-[[nodiscard]] typename Table::value_type
-named_of(const std::string& what, const std::string& name, const Table& table)
+[[nodiscard]] typename Table::value_type named_of(const std::string& what,
+                                                  const std::string& name,
+                                                  const Table& table)
 {
     std::string names;
     for (const auto entry : table) {
@@ -38,8 +39,7 @@ named_of(const std::string& what, const std::string& name, const Table& table)
 
 [[nodiscard]] inline RxPlane rx_plane_named(const std::string& name)
 {
-    return named<RxPlane>("rx_plane",
-                          name,
+    return named<RxPlane>("rx_plane", name,
                           {{"spectacle", RxPlane::Spectacle},
                            {"cornea", RxPlane::Cornea},
                            {"entrance_pupil", RxPlane::EntrancePupil}});

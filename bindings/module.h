@@ -70,7 +70,8 @@ template <typename T, typename Number>
 [[nodiscard]] inline M44d matrix_from(const Array<double>& array, const std::string& name)
 {
     if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4) {
-        throw std::invalid_argument(name + " has shape " + shape_text(array) + "; expected (4, 4)");
+        throw std::invalid_argument(name + " has shape " + shape_text(array) +
+                                    "; expected (4, 4)");
     }
     return matrix_from(array.data());
 }

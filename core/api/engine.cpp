@@ -59,12 +59,11 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
                       .film_transparent = settings.film_transparent,
                       .first_surface = plan_.first_surface};
     job.seed = settings.seed;
-    session_ = std::make_unique<Session>(
-        std::move(job),
-        SessionSettings{.samples = settings.samples,
-                        .passes = settings.passes,
-                        .chief_rays = plan_.chief_ray,
-                        .threads = settings.threads});
+    session_ =
+        std::make_unique<Session>(std::move(job), SessionSettings{.samples = settings.samples,
+                                                                  .passes = settings.passes,
+                                                                  .chief_rays = plan_.chief_ray,
+                                                                  .threads = settings.threads});
 }
 
 std::vector<std::string> Engine::warnings() const

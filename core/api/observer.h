@@ -1,5 +1,5 @@
-// The observer and the render, as the outside says them: plain values in the user's units. engine.h
-// turns them into an eye and a session.
+// The observer and the render, as the outside says them: plain values in the user's units.
+// engine.h turns them into an eye and a session.
 
 #pragma once
 
@@ -26,10 +26,10 @@ struct Observer {
     double age_years = 30.0;
     std::optional<double> pupil_mm;  // nothing: from the light of the scene
     PupilFormula pupil_formula = PupilFormula::WatsonYellott;
-    double cd_m2_per_unit = 179.0;   // luminance of radiance 1 in all channels
-    double luminance_sigma = 0.5;    // of the Gaussian weight, in half picture heights and widths
+    double cd_m2_per_unit = 179.0;  // luminance of radiance 1 in all channels
+    double luminance_sigma = 0.5;   // of the Gaussian weight, in half picture heights and widths
     FocusMode focus = FocusMode::Relaxed;
-    double focus_distance_m = 0.0;   // with FocusMode::Distance, from the entrance pupil
+    double focus_distance_m = 0.0;  // with FocusMode::Distance, from the entrance pupil
 };
 
 struct RenderSettings {

@@ -35,8 +35,7 @@ double focus_distance_m(const Observer& observer, const Scene& scene, const Came
         require_range("focus distance", observer.focus_distance_m, 0.01, 1e12, "m");
         return observer.focus_distance_m;
     case FocusMode::Center:
-        return distance_along_m(scene,
-                                frame,
+        return distance_along_m(scene, frame,
                                 V2d(0.5 * (frame.slope_left + frame.slope_right),
                                     0.5 * (frame.slope_bottom + frame.slope_top)));
     case FocusMode::Relaxed: break;
@@ -50,8 +49,7 @@ void accommodate(ObserverEye& eye, const Observer& observer)
         return;
     }
     // The relaxed eye's K is minus its prescription at the plane where its own model works.
-    const PowerMatrix rx =
-        PowerMatrix{} - make_eye(spec_of(observer))->retinal_conjugate_d();
+    const PowerMatrix rx = PowerMatrix{} - make_eye(spec_of(observer))->retinal_conjugate_d();
     const double amplitude_d = accommodation_amplitude_d(observer.age_years);
     const double wanted_d = 1.0 / eye.focus_distance_m + rx.mean_d();
     eye.accommodation_d = best_accommodation_d(rx, 1.0 / eye.focus_distance_m, amplitude_d);
@@ -60,16 +58,15 @@ void accommodate(ObserverEye& eye, const Observer& observer)
         eye.notes.push_back("focus: seeing sharply " + object + " takes " + number_text(wanted_d) +
                             " D of accommodation; at " + number_text(observer.age_years) +
                             " years there are " + number_text(amplitude_d) + " D");
-    }
-    else if (wanted_d < 0.0) {
+    } else if (wanted_d < 0.0) {
         eye.notes.push_back("focus: what lies " + object +
                             " is beyond the far point; the relaxed eye is " +
                             number_text(-wanted_d) + " D too strong for it");
     }
 }
 
-// The scene as a small picture without blur. The pupil answers to the whole field, whatever part of
-// it is rendered.
+// The scene as a small picture without blur. The pupil answers to the whole field, whatever part
+// of it is rendered.
 std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
                                     const CameraFrame& full_frame,
                                     std::size_t& width)
@@ -79,8 +76,7 @@ std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
     job.frame = full_frame;
     CameraFrame& frame = job.frame;
     frame.width_px = std::min(full_frame.width_px, luminance_width_px);
-    frame.height_px = std::max(
-        1, full_frame.height_px * frame.width_px / full_frame.width_px);
+    frame.height_px = std::max(1, full_frame.height_px * frame.width_px / full_frame.width_px);
     frame.border = {0, 0, frame.width_px, frame.height_px};
     job.eye = make_eye({.model = EyeModelKind::Pinhole});
     job.lens = false;
@@ -111,8 +107,7 @@ void adapt_pupil(ObserverEye& eye,
     const std::vector<Color3f> radiance = field_radiance(scene, frame, width);
     const bool as_in_paper = observer.pupil_formula == PupilFormula::Paper;
     eye.luminance_cd_m2 = field_luminance_cd_m2(
-        radiance,
-        width,
+        radiance, width,
         {.weights = as_in_paper ? LuminanceWeights::Paper : LuminanceWeights::Rec709,
          .sigma = observer.luminance_sigma,
          .cd_m2_per_unit = observer.cd_m2_per_unit});
@@ -120,10 +115,10 @@ void adapt_pupil(ObserverEye& eye,
                                            .right = frame.slope_right,
                                            .bottom = frame.slope_bottom,
                                            .top = frame.slope_top});
-    const PupilSize size = pupil_size(observer.pupil_formula,
-                                      {.luminance_cd_m2 = eye.luminance_cd_m2,
-                                       .area_deg2 = eye.field_area_deg2,
-                                       .age_years = observer.age_years});
+    const PupilSize size =
+        pupil_size(observer.pupil_formula, {.luminance_cd_m2 = eye.luminance_cd_m2,
+                                            .area_deg2 = eye.field_area_deg2,
+                                            .age_years = observer.age_years});
     eye.pupil_mm = mm_from_m(size.diameter_m);
     for (const std::string& clamp : size.clamps) {
         eye.notes.push_back("pupil: " + clamp);

@@ -14,7 +14,8 @@ namespace {
 void require_index(const std::string& what, std::size_t index, std::size_t count)
 {
     if (index >= count) {
-        throw std::invalid_argument(what + " " + std::to_string(index) + " does not exist; there " +
+        throw std::invalid_argument(what + " " + std::to_string(index) +
+                                    " does not exist; there " +
                                     (count == 1 ? "is 1" : "are " + std::to_string(count)));
     }
 }
@@ -40,7 +41,8 @@ int intern(std::vector<std::string>& names, const std::string& name)
     return static_cast<int>(names.size() - 1);
 }
 
-std::vector<std::string> pick(const std::vector<std::string>& names, const std::vector<int>& layers)
+std::vector<std::string> pick(const std::vector<std::string>& names,
+                              const std::vector<int>& layers)
 {
     std::vector<std::string> picked;
     for (const int layer : layers) {
@@ -56,9 +58,8 @@ bool is_finite(const V3f& p) { return std::isfinite(p.x + p.y + p.z); }
 std::size_t drop_broken_triangles(Mesh& mesh)
 {
     const auto is_broken = [&mesh](const TriangleIndices& triangle) {
-        return std::ranges::any_of(triangle, [&mesh](std::uint32_t index) {
-            return !is_finite(mesh.positions[index]);
-        });
+        return std::ranges::any_of(
+            triangle, [&mesh](std::uint32_t index) { return !is_finite(mesh.positions[index]); });
     };
     if (std::ranges::all_of(mesh.positions, is_finite)) {
         return 0;
@@ -131,8 +132,7 @@ void SceneBuilder::add_lamp(const LampData& lamp)
     require_finite("world_from_light of lamp '" + lamp.name + "'", lamp.world_from_light);
     try {
         static_cast<void>(make_lamp(lamp.settings));  // for its checks
-    }
-    catch (const std::invalid_argument& error) {
+    } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("lamp '" + lamp.name + "': " + error.what());
     }
     data_.lamps.push_back(lamp);
@@ -140,11 +140,9 @@ void SceneBuilder::add_lamp(const LampData& lamp)
 
 void SceneBuilder::set_world(const EnvironmentSettings& world)
 {
-    require_range(
-        "world strength", static_cast<double>(world.strength), 0.0, 1e20, "");
+    require_range("world strength", static_cast<double>(world.strength), 0.0, 1e20, "");
     if (world.texture != EnvironmentSettings::none) {
-        require_index("texture",
-                      static_cast<std::size_t>(world.texture),
+        require_index("texture", static_cast<std::size_t>(world.texture),
                       static_cast<std::size_t>(data_.textures.size()));
     }
     data_.world = world;
@@ -177,8 +175,8 @@ int SceneBuilder::color_attribute(const std::string& name)
     return intern(data_.color_attribute_names, name);
 }
 
-std::vector<const Material*>
-SceneBuilder::materials_at(const std::vector<std::size_t>& numbers) const
+std::vector<const Material*> SceneBuilder::materials_at(
+    const std::vector<std::size_t>& numbers) const
 {
     std::vector<const Material*> materials;
     for (const std::size_t number : numbers) {
@@ -188,14 +186,14 @@ SceneBuilder::materials_at(const std::vector<std::size_t>& numbers) const
     return materials;
 }
 
-std::vector<std::string>
-SceneBuilder::uv_layers_read(const std::vector<std::size_t>& materials) const
+std::vector<std::string> SceneBuilder::uv_layers_read(
+    const std::vector<std::size_t>& materials) const
 {
     return pick(data_.uv_layer_names, eye_render::uv_layers_read(materials_at(materials)));
 }
 
-std::vector<std::string>
-SceneBuilder::color_attributes_read(const std::vector<std::size_t>& materials) const
+std::vector<std::string> SceneBuilder::color_attributes_read(
+    const std::vector<std::size_t>& materials) const
 {
     return pick(data_.color_attribute_names,
                 eye_render::color_attributes_read(materials_at(materials)));

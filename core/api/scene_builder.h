@@ -1,5 +1,5 @@
-// Fills a scene from outside: every call checks what it is given, so that a scene that was built is
-// a scene that renders.
+// Fills a scene from outside: every call checks what it is given, so that a scene that was built
+// is a scene that renders.
 
 #pragma once
 
@@ -28,10 +28,10 @@ public:
     int color_attribute(const std::string& name);
 
     // Names of the layers that the materials read.
-    [[nodiscard]] std::vector<std::string>
-    uv_layers_read(const std::vector<std::size_t>& materials) const;
-    [[nodiscard]] std::vector<std::string>
-    color_attributes_read(const std::vector<std::size_t>& materials) const;
+    [[nodiscard]] std::vector<std::string> uv_layers_read(
+        const std::vector<std::size_t>& materials) const;
+    [[nodiscard]] std::vector<std::string> color_attributes_read(
+        const std::vector<std::size_t>& materials) const;
 
     [[nodiscard]] const SceneData& data() const { return data_; }
     // Throws std::invalid_argument if set_camera was never called.
@@ -39,8 +39,8 @@ public:
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
-    [[nodiscard]] std::vector<const Material*>
-    materials_at(const std::vector<std::size_t>& numbers) const;
+    [[nodiscard]] std::vector<const Material*> materials_at(
+        const std::vector<std::size_t>& numbers) const;
 
     SceneData data_;
     CameraFrame camera_;

@@ -36,7 +36,8 @@ std::optional<CameraRay> camera_ray(const CameraFrame& frame,
     };
     const V3d origin = to_world(seen.origin_eye_m / frame.metres_per_unit);
     const V3d towards = to_world({seen.slope.x, seen.slope.y, -1.0});
-    // Clipping planes are perpendicular to the axis; a ray at a slope travels longer to reach them.
+    // Clipping planes are perpendicular to the axis; a ray at a slope travels longer to reach
+    // them.
     const double length_per_depth = towards.length();
     CameraRay result;
     result.slope = seen.slope;

@@ -37,7 +37,7 @@ struct CameraFrame {
     double slope_top = 0.5;
     int width_px = 0;
     int height_px = 0;
-    PixelBounds border;  // what is rendered
+    PixelBounds border;      // what is rendered
     double clip_near = 0.0;  // distances along the viewing axis, scene units
     double clip_far = 0.0;
     double metres_per_unit = 1.0;

@@ -1,8 +1,8 @@
 // The film: running sums per pixel in double, and pictures made from them on request.
 //
-// Samples are added one after the other in the order of their numbers, so the sums do not depend on
-// threads, tiles or how the samples were cut into slices. A tile is taken out, filled by one thread
-// and put back; snapshots may be taken at any time.
+// Samples are added one after the other in the order of their numbers, so the sums do not depend
+// on threads, tiles or how the samples were cut into slices. A tile is taken out, filled by one
+// thread and put back; snapshots may be taken at any time.
 
 #pragma once
 
@@ -16,8 +16,8 @@
 
 namespace eye_render {
 
-// What leaves the tracer: where the path entered the pupil, its direction in object space, and what
-// light it brought. The pixel is the one it was traced for.
+// What leaves the tracer: where the path entered the pupil, its direction in object space, and
+// what light it brought. The pixel is the one it was traced for.
 struct PathSample {
     int x = 0;
     int y = 0;

@@ -6,8 +6,8 @@ namespace eye_render {
 
 namespace {
 
-// Layers of straight transparency a path may pass before it is given up: enough for foliage, and an
-// end for a scene in which rounding never lets a ray out.
+// Layers of straight transparency a path may pass before it is given up: enough for foliage, and
+// an end for a scene in which rounding never lets a ray out.
 constexpr int max_straight_passages = 256;
 
 // Surfaces before roulette starts: the first two carry most of the picture.
@@ -47,8 +47,7 @@ public:
                 add_background(ray);
                 break;
             }
-            const ShadedPoint shaded =
-                shade(hit->material(), hit->point, scene_.attributes(*hit));
+            const ShadedPoint shaded = shade(hit->material(), hit->point, scene_.attributes(*hit));
             if (settings_.first_surface) {
                 note_first_surface(*hit, shaded);
             }
@@ -115,14 +114,9 @@ private:
         if (bounce_ == 0) {
             return;
         }
-        scene_.visit_lamps(last_.p,
-                           last_.n,
-                           ray.direction,
-                           travelled_,
-                           travelled_ + t_end,
+        scene_.visit_lamps(last_.p, last_.n, ray.direction, travelled_, travelled_ + t_end,
                            [this](const LampContribution& lamp) {
-                               add(throughput_ * lamp.radiance *
-                                   weight_against(lamp.pdf));
+                               add(throughput_ * lamp.radiance * weight_against(lamp.pdf));
                            });
     }
 
@@ -141,7 +135,8 @@ private:
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
     {
         if (max_component(emission) > 0.0f) {
-            const float light_pdf = last_.is_delta ? 0.0f : scene_.emitter_pdf(hit, last_.p, last_.n);
+            const float light_pdf =
+                last_.is_delta ? 0.0f : scene_.emitter_pdf(hit, last_.p, last_.n);
             add(throughput_ * emission * weight_against(light_pdf));
         }
     }
@@ -172,8 +167,8 @@ private:
         add(contribution);
     }
 
-    // Square root of the throughput: paths are ended a little later than by throughput alone, which
-    // matches how dark parts are displayed (as Cycles does).
+    // Square root of the throughput: paths are ended a little later than by throughput alone,
+    // which matches how dark parts are displayed (as Cycles does).
     bool survives_roulette(float u)
     {
         if (bounce_ < roulette_start) {

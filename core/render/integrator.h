@@ -11,14 +11,14 @@
 namespace eye_render {
 
 struct IntegratorSettings {
-    int max_bounces = 4;           // 0: what is lit directly; straight passages do not count
+    int max_bounces = 4;            // 0: what is lit directly; straight passages do not count
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
     bool first_surface = false;     // normal and albedo are wanted
 };
 
 struct PathRadiance {
     Color3f radiance{0.0f};
-    float alpha = 1.0f;   // below 1 only with film_transparent
+    float alpha = 1.0f;  // below 1 only with film_transparent
     // Of the first surface, on request: its normal in world space, turned to the eye, and its
     // albedo. Zero without a surface.
     V3f normal{0.0f};

@@ -54,10 +54,7 @@ double nearest_depth(const SceneData& scene, const CameraFrame& frame)
     return nearest;
 }
 
-double largest_power_d(const PowerMatrix& m)
-{
-    return std::abs(m.mean_d()) + m.astigmatism_d();
-}
+double largest_power_d(const PowerMatrix& m) { return std::abs(m.mean_d()) + m.astigmatism_d(); }
 
 // Blur diameter in pixels over all vergences from infinity to the nearest thing: the largest
 // eigenvalue of E = K - X I is convex in X, so the two ends bound it.
@@ -140,8 +137,7 @@ RenderPlan make_plan(const SceneData& scene,
     plan.passes = std::move(passes);
     for (const Pass pass : plan.passes) {
         plan.chief_ray = plan.chief_ray || !info(pass).is_mean;
-        plan.first_surface =
-            plan.first_surface || pass == Pass::Normal || pass == Pass::Albedo;
+        plan.first_surface = plan.first_surface || pass == Pass::Normal || pass == Pass::Albedo;
     }
     return plan;
 }

@@ -15,8 +15,8 @@ namespace eye_render {
 struct RenderPlan {
     std::size_t triangles = 0;
     std::size_t placements = 0;
-    std::size_t instanced_meshes = 0;  // placed more than once, so built once and referred to
-    std::size_t images = 0;            // 0: OpenImageIO is not started
+    std::size_t instanced_meshes = 0;    // placed more than once, so built once and referred to
+    std::size_t images = 0;              // 0: OpenImageIO is not started
     std::vector<std::string> uv_layers;  // read by some material; "" is a mesh's first layer
     std::vector<std::string> color_attributes;
     std::size_t point_lamps = 0;
@@ -24,12 +24,12 @@ struct RenderPlan {
     std::size_t spots = 0;
     std::size_t area_lamps = 0;
     bool emissive_meshes = false;
-    bool environment_table = false;   // the world is a picture and is importance sampled
+    bool environment_table = false;    // the world is a picture and is importance sampled
     bool transparent_shadows = false;  // shadow rays must look at materials
-    double largest_blur_px = 0.0;     // an upper bound over everything in view
-    bool lens = false;                // false: one ray through the pupil's centre serves
+    double largest_blur_px = 0.0;      // an upper bound over everything in view
+    bool lens = false;                 // false: one ray through the pupil's centre serves
     std::vector<Pass> passes;
-    bool chief_ray = false;       // some pass wants the ray through pixel and pupil centre
+    bool chief_ray = false;      // some pass wants the ray through pixel and pupil centre
     bool first_surface = false;  // some pass wants normal or albedo
 
     // One fact a line, for people.

@@ -67,8 +67,7 @@ void Session::run()
             }
             std::uint32_t slice = 1;
             for (std::uint32_t first = settings_.samples.first; first < settings_.samples.last;) {
-                const std::uint32_t last =
-                    std::min(first + slice, settings_.samples.last);
+                const std::uint32_t last = std::min(first + slice, settings_.samples.last);
                 if (!trace_samples(job_, {.first = first, .last = last}, film_, cancelled_)) {
                     return;
                 }
@@ -77,8 +76,7 @@ void Session::run()
                 slice = std::min(2 * slice, longest_slice);
             }
         });
-    }
-    catch (const std::exception& exception) {
+    } catch (const std::exception& exception) {
         error = exception.what();
     }
     const std::scoped_lock lock(mutex_);

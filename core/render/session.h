@@ -20,7 +20,7 @@ struct SessionSettings {
     SampleRange samples;
     std::vector<Pass> passes;
     bool chief_rays = false;  // some pass needs them
-    int threads = 0;  // at most; 0: all the processor has
+    int threads = 0;          // at most; 0: all the processor has
 };
 
 class Session {

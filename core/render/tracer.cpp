@@ -11,8 +11,8 @@ namespace eye_render {
 
 namespace {
 
-// Pixels a side: large enough for the cost of a task to vanish, small enough for two threads to end
-// together and for a cancelled render to stop at once.
+// Pixels a side: large enough for the cost of a task to vanish, small enough for two threads to
+// end together and for a cancelled render to stop at once.
 constexpr int tile_size = 32;
 
 // Calls work(FilmTile&) for the tiles of the film in parallel and puts them back.
@@ -47,8 +47,9 @@ bool for_each_tile(Film& film, const std::atomic<bool>& cancelled, const Work& w
 
 PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number)
 {
-    const auto pixel = static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.frame.width_px) +
-                       static_cast<std::uint64_t>(x);
+    const auto pixel =
+        static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.frame.width_px) +
+        static_cast<std::uint64_t>(x);
     SampleSequence sequence(sobol_key(job.seed, pixel), number);
     // The pupil gets the first two dimensions, which are stratified best: its blur is wider than
     // the pixel filter.
@@ -61,8 +62,8 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
                                (0.5 * job.eye->pupil_diameter_m());
     }
     const V2d raster = V2d(x + 0.5, y + 0.5) + job.filter.sample(V2f(u[2], u[3]));
-    const auto camera = camera_ray(
-        job.frame, *job.eye, job.frame.chief_slope(raster), sample.pupil_point_m);
+    const auto camera =
+        camera_ray(job.frame, *job.eye, job.frame.chief_slope(raster), sample.pupil_point_m);
     if (!camera) {
         sample.weight = 0.0;
         return sample;
@@ -77,8 +78,7 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
 // blur, so the direction is the slope itself.
 double chief_depth(const Scene& scene, const CameraFrame& frame, const V2d& chief_slope)
 {
-    const V3d towards =
-        frame.axis_x * chief_slope.x + frame.axis_y * chief_slope.y - frame.axis_z;
+    const V3d towards = frame.axis_x * chief_slope.x + frame.axis_y * chief_slope.y - frame.axis_z;
     const double length_per_depth = towards.length();
     const auto hit =
         scene.intersect({.origin = V3f(0.0f),
@@ -119,13 +119,12 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
         const PixelBounds& bounds = tile.bounds();
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
-                const double depth = chief_depth(
-                    *job.scene, job.frame, job.frame.chief_slope(V2d(x + 0.5, y + 0.5)));
+                const double depth = chief_depth(*job.scene, job.frame,
+                                                 job.frame.chief_slope(V2d(x + 0.5, y + 0.5)));
                 const PowerMatrix e =
                     k - PowerMatrix::sphere(1.0 / (depth * job.frame.metres_per_unit));
                 const double largest_d = std::abs(e.mean_d()) + e.astigmatism_d();
-                tile.set(x,
-                         y,
+                tile.set(x, y,
                          {.depth = std::min(static_cast<float>(depth), background_depth),
                           .defocus_d = static_cast<float>(e.mean_d()),
                           .blur_arcmin = static_cast<float>(

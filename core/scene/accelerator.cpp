@@ -10,8 +10,8 @@ namespace eye_render {
 
 namespace {
 
-// Copies a mesh into `scene` as geometry number `id`; returns Embree's copy of the positions, which
-// it pads for its vector loads.
+// Copies a mesh into `scene` as geometry number `id`; returns Embree's copy of the positions,
+// which it pads for its vector loads.
 std::span<const V3f> attach_triangles(RTCDevice device,
                                       RTCScene scene,
                                       std::uint32_t id,
@@ -19,19 +19,11 @@ std::span<const V3f> attach_triangles(RTCDevice device,
                                       std::span<const TriangleIndices> triangles)
 {
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex_buffer = static_cast<V3f*>(rtcSetNewGeometryBuffer(geometry,
-                                                                    RTC_BUFFER_TYPE_VERTEX,
-                                                                    0,
-                                                                    RTC_FORMAT_FLOAT3,
-                                                                    sizeof(V3f),
-                                                                    positions.size()));
-    auto* index_buffer =
-        static_cast<TriangleIndices*>(rtcSetNewGeometryBuffer(geometry,
-                                                              RTC_BUFFER_TYPE_INDEX,
-                                                              0,
-                                                              RTC_FORMAT_UINT3,
-                                                              sizeof(TriangleIndices),
-                                                              triangles.size()));
+    auto* vertex_buffer = static_cast<V3f*>(rtcSetNewGeometryBuffer(
+        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(V3f), positions.size()));
+    auto* index_buffer = static_cast<TriangleIndices*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                sizeof(TriangleIndices), triangles.size()));
     if (vertex_buffer == nullptr || index_buffer == nullptr) {
         rtcReleaseGeometry(geometry);
         throw std::runtime_error("no memory for " + std::to_string(triangles.size()) +
@@ -65,7 +57,10 @@ RTCRay to_embree(const Ray& ray)
 
 }  // namespace
 
-void Accelerator::ReleaseDevice::operator()(RTCDeviceTy* device) const { rtcReleaseDevice(device); }
+void Accelerator::ReleaseDevice::operator()(RTCDeviceTy* device) const
+{
+    rtcReleaseDevice(device);
+}
 void Accelerator::ReleaseScene::operator()(RTCSceneTy* scene) const { rtcReleaseScene(scene); }
 
 Accelerator::Accelerator() : device_(rtcNewDevice(nullptr))
@@ -110,7 +105,8 @@ Accelerator::Prototype Accelerator::add_prototype(std::span<const V3f> positions
 {
     prototypes_.push_back(new_scene());
     RTCSceneTy* scene = prototypes_.back().get();
-    prototype_positions_.push_back(attach_triangles(device_.get(), scene, 0, positions, triangles));
+    prototype_positions_.push_back(
+        attach_triangles(device_.get(), scene, 0, positions, triangles));
     rtcCommitScene(scene);
     check_device();
     return prototypes_.size() - 1;
@@ -122,7 +118,8 @@ std::uint32_t Accelerator::place(Prototype prototype, const M44f& world_from_obj
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
     rtcSetGeometryInstancedScene(geometry, prototypes_[prototype].get());
     // Imath's row-vector matrix in row order is Embree's column-vector matrix in column order.
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, world_from_object.getValue());
+    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                            world_from_object.getValue());
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(root_.get(), geometry, placement);
     rtcReleaseGeometry(geometry);

@@ -1,8 +1,8 @@
 // Ray queries against triangles: a static bounding-volume hierarchy built by Embree.
 //
 // A mesh enters either flat, its positions given in world space, or as a prototype that is then
-// placed any number of times; prototypes cost one more transformation a ray, so they are for meshes
-// that occur more than once.
+// placed any number of times; prototypes cost one more transformation a ray, so they are for
+// meshes that occur more than once.
 
 #pragma once
 
@@ -25,7 +25,7 @@ using TriangleIndices = std::array<std::uint32_t, 3>;
 
 struct AcceleratorHit {
     float t;
-    V3f ng;  // not normalised, in the space of the mesh that was hit
+    V3f ng;   // not normalised, in the space of the mesh that was hit
     float u;  // p = (1 - u - v) p0 + u p1 + v p2
     float v;
     std::uint32_t placement;  // the number that `add_flat` or `place` gave
@@ -36,8 +36,8 @@ class Accelerator {
 public:
     Accelerator();
 
-    // Adds a mesh in world space. Returns its placement number; placements count from 0 in the order
-    // of `add_flat` and `place`.
+    // Adds a mesh in world space. Returns its placement number; placements count from 0 in the
+    // order of `add_flat` and `place`.
     std::uint32_t add_flat(std::span<const V3f> positions,
                            std::span<const TriangleIndices> triangles);
 
@@ -46,8 +46,8 @@ public:
                                           std::span<const TriangleIndices> triangles);
     std::uint32_t place(Prototype prototype, const M44f& world_from_object);
 
-    // Builds the hierarchy; call once, before the first query. Throws std::runtime_error when Embree
-    // fails (out of memory, say).
+    // Builds the hierarchy; call once, before the first query. Throws std::runtime_error when
+    // Embree fails (out of memory, say).
     void build();
 
     [[nodiscard]] std::optional<AcceleratorHit> intersect(const Ray& ray) const;

@@ -4,24 +4,18 @@
 #pragma once
 
 #if __has_include(<embree4/rtcore.h>)
-#    include <embree4/rtcore.h>
+#include <embree4/rtcore.h>
 #else
-#    include <embree3/rtcore.h>
+#include <embree3/rtcore.h>
 #endif
 
 namespace eye_render::embree {
 
 #if RTC_VERSION_MAJOR >= 4
 
-inline void intersect(RTCScene scene, RTCRayHit& ray_hit)
-{
-    rtcIntersect1(scene, &ray_hit);
-}
+inline void intersect(RTCScene scene, RTCRayHit& ray_hit) { rtcIntersect1(scene, &ray_hit); }
 
-inline void occluded(RTCScene scene, RTCRay& ray)
-{
-    rtcOccluded1(scene, &ray);
-}
+inline void occluded(RTCScene scene, RTCRay& ray) { rtcOccluded1(scene, &ray); }
 
 #else
 

@@ -13,12 +13,14 @@ namespace {
     throw std::invalid_argument("mesh '" + mesh.name + "': " + what);
 }
 
-void check_length(const Mesh& mesh, const std::string& what, std::size_t given, std::size_t expected)
+void check_length(const Mesh& mesh,
+                  const std::string& what,
+                  std::size_t given,
+                  std::size_t expected)
 {
     if (given != expected) {
-        refuse(mesh,
-               what + " has " + std::to_string(given) + " entries; expected " +
-                   std::to_string(expected));
+        refuse(mesh, what + " has " + std::to_string(given) + " entries; expected " +
+                         std::to_string(expected));
     }
 }
 
@@ -33,10 +35,9 @@ void validate(const Mesh& mesh)
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
         for (const std::uint32_t index : mesh.triangles[i]) {
             if (index >= mesh.positions.size()) {
-                refuse(mesh,
-                       "triangle " + std::to_string(i) + " has vertex " + std::to_string(index) +
-                           "; expected 0 to " + std::to_string(mesh.positions.size()) +
-                           " (excluded)");
+                refuse(mesh, "triangle " + std::to_string(i) + " has vertex " +
+                                 std::to_string(index) + "; expected 0 to " +
+                                 std::to_string(mesh.positions.size()) + " (excluded)");
             }
         }
     }
@@ -62,10 +63,8 @@ void validate(const Mesh& mesh)
         check_length(mesh, "UV layer '" + layer.name + "'", layer.per_corner.size(), corners);
     }
     for (const ColorAttribute& attribute : mesh.color_attributes) {
-        check_length(mesh,
-                     "colour attribute '" + attribute.name + "'",
-                     attribute.per_corner.size(),
-                     corners);
+        check_length(mesh, "colour attribute '" + attribute.name + "'",
+                     attribute.per_corner.size(), corners);
     }
 }
 

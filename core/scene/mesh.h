@@ -29,7 +29,7 @@ struct Mesh {
     std::vector<V3f> positions;
     std::vector<TriangleIndices> triangles;
     NormalDomain normal_domain = NormalDomain::Flat;
-    std::vector<V3f> normals;                 // unit; empty when flat
+    std::vector<V3f> normals;                  // unit; empty when flat
     std::vector<std::int32_t> material_slots;  // per triangle; empty: slot 0 everywhere
     std::vector<UvLayer> uv_layers;            // the first is the one that unnamed requests read
     std::vector<ColorAttribute> color_attributes;

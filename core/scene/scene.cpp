@@ -1,6 +1,6 @@
 #include "scene/scene.h"
 
-#include "base/warp.h"
+#include "scene/transform.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -8,10 +8,6 @@
 namespace eye_render {
 
 namespace {
-
-// Shadow rays stop this much short of their target, relative to its distance: float positions on
-// both ends are good to about 1e-7 of their size, and a lamp may touch a wall.
-constexpr float shadow_margin = 1e-4f;
 
 int layer_named(const std::string& name, const auto& layers)
 {
@@ -36,56 +32,6 @@ LayerLookup find_layers(const SceneData& data, const Mesh& mesh)
         lookup.color.push_back(layer_named(name, mesh.color_attributes));
     }
     return lookup;
-}
-
-M44d relative_to_eye(M44d world_from_object, const V3d& eye_position_world)
-{
-    for (int axis = 0; axis < 3; ++axis) {
-        world_from_object[3][axis] -= eye_position_world[axis];
-    }
-    return world_from_object;
-}
-
-M33f upper_left(const M44d& m)
-{
-    return {static_cast<float>(m[0][0]), static_cast<float>(m[0][1]), static_cast<float>(m[0][2]),
-            static_cast<float>(m[1][0]), static_cast<float>(m[1][1]), static_cast<float>(m[1][2]),
-            static_cast<float>(m[2][0]), static_cast<float>(m[2][1]), static_cast<float>(m[2][2])};
-}
-
-// Cofactors of the upper-left block, with the sign of its determinant: the inverse transpose times
-// a positive factor. Unlike the inverse it exists for a flattened object, too.
-M33f normal_matrix(const M44d& m)
-{
-    const V3d x(m[0][0], m[0][1], m[0][2]);
-    const V3d y(m[1][0], m[1][1], m[1][2]);
-    const V3d z(m[2][0], m[2][1], m[2][2]);
-    const double sign = x.dot(y.cross(z)) < 0.0 ? -1.0 : 1.0;
-    const V3d row[3] = {y.cross(z) * sign, z.cross(x) * sign, x.cross(y) * sign};
-    // Scaled to its largest entry, so that objects in micrometres do not underflow in float.
-    double largest = 0.0;
-    for (const V3d& r : row) {
-        largest = std::max({largest, std::abs(r.x), std::abs(r.y), std::abs(r.z)});
-    }
-    const double scale = largest > 0.0 ? 1.0 / largest : 1.0;
-    M44d scaled;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            scaled[i][j] = row[i][j] * scale;
-        }
-    }
-    return upper_left(scaled);
-}
-
-M44f to_float(const M44d& m)
-{
-    M44f result;
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j) {
-            result[i][j] = static_cast<float>(m[i][j]);
-        }
-    }
-    return result;
 }
 
 }  // namespace
@@ -135,7 +81,7 @@ void Scene::add_placements(const V3d& eye_position_world)
                             .world_from_object = to_float(world_from_object),
                             .world_from_object_normal = normal_matrix(world_from_object),
                             .is_flat = uses[instance.mesh] == 1,
-                            .is_mirrored = upper_left(world_from_object).determinant() < 0.0f,
+                            .is_mirrored = is_mirror(world_from_object),
                             .emitters = {}};
         for (const std::size_t material : instance.materials) {
             placement.materials.push_back(&data_.materials[material]);
@@ -153,8 +99,7 @@ void Scene::add_placements(const V3d& eye_position_world)
                 flat_positions[i] = V3f(V3d(mesh.positions[i]) * world_from_object);
             }
             accelerator_.add_flat(flat_positions, mesh.triangles);
-        }
-        else {
+        } else {
             auto& prototype = prototypes[instance.mesh];
             if (!prototype) {
                 prototype = accelerator_.add_prototype(mesh.positions, mesh.triangles);
@@ -166,58 +111,14 @@ void Scene::add_placements(const V3d& eye_position_world)
     }
 }
 
-void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
-{
-    for (Placement& placement : placements_) {
-        const Mesh& mesh = *placement.mesh;
-        const bool may_emit = std::ranges::any_of(
-            placement.materials, [](const Material* material) { return material->may_emit(); });
-        if (!may_emit) {
-            continue;
-        }
-        placement.emitters.assign(mesh.triangles.size(), -1);
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-            const Material& material = placement.material(t);
-            if (!material.may_emit()) {
-                continue;
-            }
-            // A textured emitter is judged by its centre and its corners' neighbourhoods.
-            constexpr std::array<V2f, 4> probes{
-                V2f{1.0f / 3, 1.0f / 3}, {0.1f, 0.1f}, {0.8f, 0.1f}, {0.1f, 0.8f}};
-            float estimate = 0.0f;
-            for (const V2f& b : probes) {
-                const MeshAttributes attributes(placement, t, b.x, b.y, data_.textures);
-                estimate += luminance(emitted_radiance(material, attributes)) / probes.size();
-            }
-            const Emitter emitter{.placement = &placement, .triangle = t};
-            const auto [p0, p1, p2] = corners_world(emitter);
-            placement.emitters[t] = static_cast<int>(emitters_.size());
-            emitters_.push_back(emitter);
-            triangles.push_back({.p0_world = p0, .p1_world = p1, .p2_world = p2, .radiance = estimate});
-        }
-    }
-}
-
-std::array<V3f, 3> Scene::corners_world(const Emitter& emitter) const
-{
-    const auto number = static_cast<std::uint32_t>(emitter.placement - placements_.data());
-    const std::span<const V3f> positions = accelerator_.positions(number);
-    std::array<V3f, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const V3f& p = positions[emitter.placement->mesh->triangles[emitter.triangle][i]];
-        corners[i] = emitter.placement->is_flat ? p : p * emitter.placement->world_from_object;
-    }
-    return corners;
-}
-
 std::optional<SurfaceHit> Scene::intersect(const Ray& ray) const
 {
     const auto found = accelerator_.intersect(ray);
     if (!found) {
         return std::nullopt;
     }
-    return make_surface_hit(
-        ray, *found, placements_[found->placement], accelerator_.positions(found->placement));
+    return make_surface_hit(ray, *found, placements_[found->placement],
+                            accelerator_.positions(found->placement));
 }
 
 Color3f Scene::transmittance(const Ray& ray) const
@@ -244,93 +145,6 @@ Color3f Scene::transmittance(const Ray& ray) const
         }
     }
     return result;
-}
-
-std::optional<IncomingLight> Scene::sample_light(const V3f& p,
-                                                 const V3f& n,
-                                                 float u_light,
-                                                 const V2f& u) const
-{
-    const auto choice = light_sampler_.choose(p, n, u_light);
-    if (!choice) {
-        return std::nullopt;
-    }
-    std::optional<IncomingLight> light;
-    switch (choice->kind) {
-    case LightKind::Lamp: {
-        const Lamp& lamp = lamps_[choice->index];
-        if (const auto sample = sample_lamp(lamp, p, u)) {
-            light = IncomingLight{.wi = sample->wi,
-                                  .distance = sample->distance * (1.0f - shadow_margin),
-                                  .radiance = sample->radiance,
-                                  .pdf = sample->pdf,
-                                  .is_delta = sample->is_delta,
-                                  .casts_shadow = lamp.casts_shadow};
-        }
-        break;
-    }
-    case LightKind::Triangle: light = sample_emitter(choice->index, p, u); break;
-    case LightKind::Environment: {
-        const EnvironmentSample sample = environment_.sample(u);
-        light = IncomingLight{.wi = sample.wi,
-                              .distance = std::numeric_limits<float>::infinity(),
-                              .radiance = sample.radiance,
-                              .pdf = sample.pdf};
-        break;
-    }
-    }
-    if (!light || !(light->pdf > 0.0f)) {
-        return std::nullopt;
-    }
-    light->pdf *= choice->probability;
-    return light;
-}
-
-std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
-                                                   const V3f& p,
-                                                   const V2f& u) const
-{
-    const Emitter& emitter = emitters_[index];
-    const auto [p0, p1, p2] = corners_world(emitter);
-    const V2f b = sample_uniform_triangle(u);  // weights of p0 and p1
-    const V3f to_light = p0 * b.x + p1 * b.y + p2 * (1.0f - b.x - b.y) - p;
-    const float distance2 = to_light.length2();
-    const float distance = std::sqrt(distance2);
-    // |2 area normal . to_light|; zero when seen edge-on or from its own plane.
-    const float projected = std::abs((p1 - p0).cross(p2 - p0).dot(to_light));
-    if (!(projected > 0.0f)) {
-        return std::nullopt;
-    }
-    const MeshAttributes attributes(
-        *emitter.placement, emitter.triangle, b.y, 1.0f - b.x - b.y, data_.textures);
-    return IncomingLight{
-        .wi = to_light / distance,
-        .distance = distance * (1.0f - shadow_margin),
-        .radiance = emitted_radiance(emitter.placement->material(emitter.triangle), attributes),
-        .pdf = uniform_triangle_pdf() * distance2 * distance / projected};
-}
-
-float Scene::emitter_pdf(const SurfaceHit& hit, const V3f& p, const V3f& n) const
-{
-    const int emitter = hit.emitter();
-    if (emitter < 0) {
-        return 0.0f;
-    }
-    const auto index = static_cast<std::uint32_t>(emitter);
-    const auto [p0, p1, p2] = corners_world(emitters_[index]);
-    const V3f to_light = hit.p_world - p;
-    const float distance2 = to_light.length2();
-    const float projected = std::abs((p1 - p0).cross(p2 - p0).dot(to_light));
-    if (!(projected > 0.0f)) {
-        return 0.0f;
-    }
-    return uniform_triangle_pdf() * distance2 * std::sqrt(distance2) / projected *
-           light_sampler_.probability(LightKind::Triangle, index, p, n);
-}
-
-float Scene::environment_pdf(const V3f& wi, const V3f& p, const V3f& n) const
-{
-    return environment_.pdf(wi) * light_sampler_.probability(LightKind::Environment, 0, p, n);
 }
 
 }  // namespace eye_render

@@ -1,4 +1,5 @@
-// A scene ready for ray queries: positions relative to the eye, the acceleration structure, lights.
+// A scene ready for ray queries: positions relative to the eye, the acceleration structure,
+// lights.
 //
 // Everything here is constant after construction, so any number of threads may ask.
 
@@ -26,7 +27,7 @@ struct IncomingLight {
     V3f wi;
     float distance = 0.0f;  // infinite for the environment and the sun
     Color3f radiance;
-    float pdf = 0.0f;       // per unit solid angle, the choice of the light included
+    float pdf = 0.0f;  // per unit solid angle, the choice of the light included
     bool is_delta = false;
     bool casts_shadow = true;
 };
@@ -55,8 +56,8 @@ public:
     // The part of the light that passes along the ray: 0 behind an opaque surface.
     [[nodiscard]] Color3f transmittance(const Ray& ray) const;
 
-    // One light and one point on it, for the point `p` whose lit side is `n`; u_light and both of u
-    // in [0, 1). Nothing if no light was chosen or the chosen one cannot light the point.
+    // One light and one point on it, for the point `p` whose lit side is `n`; u_light and both of
+    // u in [0, 1). Nothing if no light was chosen or the chosen one cannot light the point.
     [[nodiscard]] std::optional<IncomingLight> sample_light(const V3f& p,
                                                             const V3f& n,
                                                             float u_light,

@@ -9,17 +9,9 @@ namespace {
 template <typename Visit>
 void for_each_input(const Material& m, Visit visit)
 {
-    for (const MaterialInput* input : {&m.base_color,
-                                       &m.metallic,
-                                       &m.roughness,
-                                       &m.specular,
-                                       &m.ior,
-                                       &m.transmission,
-                                       &m.alpha,
-                                       &m.emission_color,
-                                       &m.emission_strength,
-                                       &m.normal_map,
-                                       &m.normal_strength}) {
+    for (const MaterialInput* input :
+         {&m.base_color, &m.metallic, &m.roughness, &m.specular, &m.ior, &m.transmission, &m.alpha,
+          &m.emission_color, &m.emission_strength, &m.normal_map, &m.normal_strength}) {
         visit(*input);
     }
 }

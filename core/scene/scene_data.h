@@ -1,5 +1,5 @@
-// A scene as plain data, before anything is built from it. World positions are double and absolute;
-// what is built (scene.h) is float and relative to the eye.
+// A scene as plain data, before anything is built from it. World positions are double and
+// absolute; what is built (scene.h) is float and relative to the eye.
 
 #pragma once
 
@@ -16,7 +16,7 @@ namespace eye_render {
 
 struct InstanceData {
     std::size_t mesh = 0;
-    M44d world_from_object;           // row-vector convention
+    M44d world_from_object;              // row-vector convention
     std::vector<std::size_t> materials;  // one a slot of the mesh; empty: the plain material
 };
 
@@ -33,13 +33,15 @@ struct SceneData {
     std::vector<LampData> lamps;
     EnvironmentSettings world;
     TextureSet textures;
-    // Names behind the layer numbers of MaterialInput. The empty name asks for a mesh's first layer.
+    // Names behind the layer numbers of MaterialInput. The empty name asks for a mesh's first
+    // layer.
     std::vector<std::string> uv_layer_names;
     std::vector<std::string> color_attribute_names;
 };
 
 // The layer numbers that some input of the materials reads, ascending and without repeats.
 [[nodiscard]] std::vector<int> uv_layers_read(const std::vector<const Material*>& materials);
-[[nodiscard]] std::vector<int> color_attributes_read(const std::vector<const Material*>& materials);
+[[nodiscard]] std::vector<int> color_attributes_read(
+    const std::vector<const Material*>& materials);
 
 }  // namespace eye_render

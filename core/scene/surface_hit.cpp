@@ -40,14 +40,13 @@ SurfaceHit make_surface_hit(const Ray& ray,
     hit.u = found.u;
     hit.v = found.v;
     // From the barycentric coordinates, which is more exact than origin + t * direction far away.
-    hit.p_world = interpolate(
-        positions[corner[0]], positions[corner[1]], positions[corner[2]], found.u, found.v);
+    hit.p_world = interpolate(positions[corner[0]], positions[corner[1]], positions[corner[2]],
+                              found.u, found.v);
     V3f ng = found.ng;
     if (placement.is_flat) {
         // A mirrored mesh has its winding reversed in world space.
         ng *= placement.is_mirrored ? -1.0f : 1.0f;
-    }
-    else {
+    } else {
         hit.p_world = hit.p_world * placement.world_from_object;
         ng = ng * placement.world_from_object_normal;
     }
@@ -100,8 +99,8 @@ TangentFrame MeshAttributes::tangent(int uv_layer) const
     // Directions keep their side under the plain matrix, so the frame's handedness is the map's,
     // reversed where the object is mirrored.
     V3f tangent;
-    placement_.world_from_object.multDirMatrix((e1 * uv2.y - e2 * uv1.y) * (area < 0.0f ? -1.0f : 1.0f),
-                                               tangent);
+    placement_.world_from_object.multDirMatrix(
+        (e1 * uv2.y - e2 * uv1.y) * (area < 0.0f ? -1.0f : 1.0f), tangent);
     const float length = tangent.length();
     if (!(length > 0.0f)) {
         return {};
@@ -116,7 +115,8 @@ Color4f MeshAttributes::color(int color_attribute) const
     if (layer == LayerLookup::none) {
         return Color4f(0.0f);
     }
-    const auto& colors = placement_.mesh->color_attributes[static_cast<std::size_t>(layer)].per_corner;
+    const auto& colors =
+        placement_.mesh->color_attributes[static_cast<std::size_t>(layer)].per_corner;
     const std::size_t first = 3 * std::size_t{triangle_};
     return interpolate(colors[first], colors[first + 1], colors[first + 2], u_, v_);
 }

@@ -28,7 +28,8 @@ struct Placement {
     M33f world_from_object_normal;  // inverse transpose, so that normals keep their side
     bool is_flat = true;            // the accelerator holds the positions in world space
     bool is_mirrored = false;       // the determinant is negative
-    std::vector<int> emitters;      // per triangle, its number among the emitters or -1; empty: none emit
+    std::vector<int>
+        emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 
     [[nodiscard]] const Material& material(std::uint32_t triangle) const
     {

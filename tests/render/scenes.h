@@ -45,8 +45,7 @@ inline Mesh cube(float h)
     Mesh mesh;
     mesh.name = "cube";
     for (int corner = 0; corner < 8; ++corner) {
-        mesh.positions.emplace_back((corner & 1) != 0 ? h : -h,
-                                    (corner & 2) != 0 ? h : -h,
+        mesh.positions.emplace_back((corner & 1) != 0 ? h : -h, (corner & 2) != 0 ? h : -h,
                                     (corner & 4) != 0 ? h : -h);
     }
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},

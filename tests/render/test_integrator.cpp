@@ -15,13 +15,17 @@ struct Estimate {
 };
 
 // Radiance along `ray`, red channel, over `count` paths.
-Estimate estimate(const Scene& scene, const IntegratorSettings& settings, const Ray& ray, int count)
+Estimate estimate(const Scene& scene,
+                  const IntegratorSettings& settings,
+                  const Ray& ray,
+                  int count)
 {
     double sum = 0.0;
     double sum_of_squares = 0.0;
     for (int i = 0; i < count; ++i) {
         SampleSequence sequence(sobol_key(7, static_cast<std::uint64_t>(i)), 0);
-        const double value = static_cast<double>(trace_path(scene, settings, ray, sequence).radiance.x);
+        const double value =
+            static_cast<double>(trace_path(scene, settings, ray, sequence).radiance.x);
         sum += value;
         sum_of_squares += value * value;
     }
@@ -30,8 +34,8 @@ Estimate estimate(const Scene& scene, const IntegratorSettings& settings, const 
     return {mean, std::sqrt(variance / count)};
 }
 
-// Four standard errors: one false alarm in 16,000 runs, and the seed is fixed. The absolute part is
-// float rounding of a sum of this size.
+// Four standard errors: one false alarm in 16,000 runs, and the seed is fixed. The absolute part
+// is float rounding of a sum of this size.
 void expect_matches(const Estimate& found, double expected)
 {
     EXPECT_NEAR(found.mean, expected, 4.0 * found.standard_error + 2e-5 * expected)
@@ -50,10 +54,8 @@ TEST(Integrator, closed_furnace_sums_the_geometric_series)
             expected += 0.5 * std::pow(static_cast<double>(albedo), k);
         }
         SCOPED_TRACE(max_bounces);
-        expect_matches(estimate(scene,
-                                {.max_bounces = max_bounces},
-                                {.direction = V3f(0.3f, 0.2f, -1.0f).normalized()},
-                                20000),
+        expect_matches(estimate(scene, {.max_bounces = max_bounces},
+                                {.direction = V3f(0.3f, 0.2f, -1.0f).normalized()}, 20000),
                        expected);
     }
 }
@@ -81,7 +83,8 @@ TEST(Integrator, point_lamp_lights_a_plane_by_the_inverse_square)
     test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.6f));
     data.lamps.push_back(test::point_lamp(V3d(1.0, 0.0, -1.0), 100.0f));
     const Scene scene(data, V3d(0.0));
-    // Irradiance P / (4 pi^2) cos / d^2: Blender's watt of a point lamp is 1 / pi of a radiant one.
+    // Irradiance P / (4 pi^2) cos / d^2: Blender's watt of a point lamp is 1 / pi of a radiant
+    // one.
     const double d2 = 1.0 + 4.0;
     const double irradiance = 100.0 / (4.0 * pi * pi) * (2.0 / std::sqrt(d2)) / d2;
     expect_matches(estimate(scene, {.max_bounces = 0}, {}, 16), 0.6 / pi * irradiance * pi);
@@ -104,8 +107,7 @@ TEST(Integrator, emissive_square_lights_a_plane_as_its_form_factor_says)
         return (x / sx * std::atan(y / sx) + y / sy * std::atan(x / sy)) / (2 * pi);
     };
     // Seen point: (-0.9, 0, -3); the square spans x from -0.5 to 0.5, so 0.4 to 1.4 beside it.
-    const double factor =
-        2.0 * (corner_factor(1.4, 0.5, 1.0) - corner_factor(0.4, 0.5, 1.0));
+    const double factor = 2.0 * (corner_factor(1.4, 0.5, 1.0) - corner_factor(0.4, 0.5, 1.0));
     const Ray ray{.direction = V3f(-0.9f, 0.0f, -3.0f).normalized()};
     expect_matches(estimate(scene, {.max_bounces = 0}, ray, 20000), 0.5 * 4.0 * factor);
 }

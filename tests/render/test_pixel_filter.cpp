@@ -29,8 +29,8 @@ TEST(PixelFilter, has_the_standard_deviation_of_a_blackman_harris_window)
     double moment = 0.0;
     for (int i = 0; i < 20000; ++i) {
         const double x = -1.0 + 2.0 * i / 20000;
-        const double w = 0.35875 + 0.48829 * std::cos(M_PI * x) + 0.14128 * std::cos(2 * M_PI * x) +
-                         0.01168 * std::cos(3 * M_PI * x);
+        const double w = 0.35875 + 0.48829 * std::cos(M_PI * x) +
+                         0.14128 * std::cos(2 * M_PI * x) + 0.01168 * std::cos(3 * M_PI * x);
         weight += w;
         moment += w * x * x;
     }

@@ -18,7 +18,9 @@ std::unique_ptr<const EyeModel> relaxed_eye(double sphere_d, double pupil_diamet
                      .pupil_diameter_m = pupil_diameter_m});
 }
 
-RenderPlan plan_for(const SceneData& data, double sphere_d, std::vector<Pass> passes = {Pass::Combined})
+RenderPlan plan_for(const SceneData& data,
+                    double sphere_d,
+                    std::vector<Pass> passes = {Pass::Combined})
 {
     // 256 pixels over a slope of 0.4: 5.4 arcmin a pixel.
     return make_plan(data, test::frame(256, 0.2), *relaxed_eye(sphere_d, 4e-3), std::move(passes));

@@ -20,7 +20,8 @@ SceneData small_hall_data()
     SceneData data;
     test::place(data, test::cube(5.0f), V3d(0.0), test::diffuse(0.6f));
     test::place(data, test::cube(0.5f), V3d(0.7, 0.2, -2.0), test::diffuse(0.3f));
-    test::place(data, test::square(0.5f), V3d(-1.0, 1.0, -4.0), test::emissive_diffuse(0.0f, 9.0f));
+    test::place(data, test::square(0.5f), V3d(-1.0, 1.0, -4.0),
+                test::emissive_diffuse(0.0f, 9.0f));
     data.lamps.push_back(test::point_lamp(V3d(1.0, 2.0, -1.0), 50.0f));
     return data;
 }
@@ -39,7 +40,8 @@ RenderJob job_for(const std::shared_ptr<const Scene>& scene, int size_px)
 
 std::vector<float> render(RenderJob job, SampleRange samples, int threads)
 {
-    Session session(std::move(job), {.samples = samples, .passes = {Pass::Combined}, .threads = threads});
+    Session session(std::move(job),
+                    {.samples = samples, .passes = {Pass::Combined}, .threads = threads});
     session.start();
     EXPECT_TRUE(session.wait(std::chrono::seconds(60)));
     EXPECT_EQ(session.error(), std::nullopt);
@@ -118,10 +120,9 @@ TEST(Session, chief_passes_hold_depth_defocus_and_blur)
                         .rx = Prescription{.sphere_d = -3.0},
                         .rx_plane = RxPlane::EntrancePupil,
                         .pupil_diameter_m = 4e-3});
-    Session session(std::move(job),
-                    {.samples = {0, 1},
-                     .passes = {Pass::Depth, Pass::Defocus, Pass::Blur},
-                     .chief_rays = true});
+    Session session(std::move(job), {.samples = {0, 1},
+                                     .passes = {Pass::Depth, Pass::Defocus, Pass::Blur},
+                                     .chief_rays = true});
     session.start();
     ASSERT_TRUE(session.wait(std::chrono::seconds(60)));
     const auto images = session.snapshot();

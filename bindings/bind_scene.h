@@ -1,0 +1,17 @@
+// What the two halves of eyecore.Scene share.
+
+#pragma once
+
+#include "api/scene_builder.h"
+#include "module.h"
+
+namespace eye_render {
+
+using SceneClass = py::class_<SceneBuilder, std::shared_ptr<SceneBuilder>>;
+
+void bind_materials(py::module_& m, SceneClass& scene);
+
+// Three numbers, linear Rec. 709.
+[[nodiscard]] Color3f color_from(const py::handle& value);
+
+}  // namespace eye_render

@@ -1,0 +1,150 @@
+// The lights of a scene: which triangles shine, and light sampling with its densities.
+
+#include "base/warp.h"
+#include "scene/scene.h"
+
+#include <cmath>
+
+namespace eye_render {
+
+namespace {
+
+// Shadow rays stop this much short of their target, relative to its distance: float positions on
+// both ends are good to about 1e-7 of their size, and a lamp may touch a wall.
+constexpr float shadow_margin = 1e-4f;
+
+}  // namespace
+
+void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
+{
+    for (Placement& placement : placements_) {
+        const Mesh& mesh = *placement.mesh;
+        const bool may_emit = std::ranges::any_of(
+            placement.materials, [](const Material* material) { return material->may_emit(); });
+        if (!may_emit) {
+            continue;
+        }
+        placement.emitters.assign(mesh.triangles.size(), -1);
+        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+            const Material& material = placement.material(t);
+            if (!material.may_emit()) {
+                continue;
+            }
+            // A textured emitter is judged by its centre and its corners' neighbourhoods.
+            constexpr std::array<V2f, 4> probes{
+                V2f{1.0f / 3, 1.0f / 3}, {0.1f, 0.1f}, {0.8f, 0.1f}, {0.1f, 0.8f}};
+            float estimate = 0.0f;
+            for (const V2f& b : probes) {
+                const MeshAttributes attributes(placement, t, b.x, b.y, data_.textures);
+                estimate += luminance(emitted_radiance(material, attributes)) / probes.size();
+            }
+            const Emitter emitter{.placement = &placement, .triangle = t};
+            const auto [p0, p1, p2] = corners_world(emitter);
+            placement.emitters[t] = static_cast<int>(emitters_.size());
+            emitters_.push_back(emitter);
+            triangles.push_back(
+                {.p0_world = p0, .p1_world = p1, .p2_world = p2, .radiance = estimate});
+        }
+    }
+}
+
+std::array<V3f, 3> Scene::corners_world(const Emitter& emitter) const
+{
+    const auto number = static_cast<std::uint32_t>(emitter.placement - placements_.data());
+    const std::span<const V3f> positions = accelerator_.positions(number);
+    std::array<V3f, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const V3f& p = positions[emitter.placement->mesh->triangles[emitter.triangle][i]];
+        corners[i] = emitter.placement->is_flat ? p : p * emitter.placement->world_from_object;
+    }
+    return corners;
+}
+
+std::optional<IncomingLight> Scene::sample_light(const V3f& p,
+                                                 const V3f& n,
+                                                 float u_light,
+                                                 const V2f& u) const
+{
+    const auto choice = light_sampler_.choose(p, n, u_light);
+    if (!choice) {
+        return std::nullopt;
+    }
+    std::optional<IncomingLight> light;
+    switch (choice->kind) {
+    case LightKind::Lamp: {
+        const Lamp& lamp = lamps_[choice->index];
+        if (const auto sample = sample_lamp(lamp, p, u)) {
+            light = IncomingLight{.wi = sample->wi,
+                                  .distance = sample->distance * (1.0f - shadow_margin),
+                                  .radiance = sample->radiance,
+                                  .pdf = sample->pdf,
+                                  .is_delta = sample->is_delta,
+                                  .casts_shadow = lamp.casts_shadow};
+        }
+        break;
+    }
+    case LightKind::Triangle: light = sample_emitter(choice->index, p, u); break;
+    case LightKind::Environment: {
+        const EnvironmentSample sample = environment_.sample(u);
+        light = IncomingLight{.wi = sample.wi,
+                              .distance = std::numeric_limits<float>::infinity(),
+                              .radiance = sample.radiance,
+                              .pdf = sample.pdf};
+        break;
+    }
+    }
+    if (!light || !(light->pdf > 0.0f)) {
+        return std::nullopt;
+    }
+    light->pdf *= choice->probability;
+    return light;
+}
+
+std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
+                                                   const V3f& p,
+                                                   const V2f& u) const
+{
+    const Emitter& emitter = emitters_[index];
+    const auto [p0, p1, p2] = corners_world(emitter);
+    const V2f b = sample_uniform_triangle(u);  // weights of p0 and p1
+    const V3f to_light = p0 * b.x + p1 * b.y + p2 * (1.0f - b.x - b.y) - p;
+    const float distance2 = to_light.length2();
+    const float distance = std::sqrt(distance2);
+    // |2 area normal . to_light|; zero when seen edge-on or from its own plane.
+    const float projected = std::abs((p1 - p0).cross(p2 - p0).dot(to_light));
+    if (!(projected > 0.0f)) {
+        return std::nullopt;
+    }
+    const MeshAttributes attributes(*emitter.placement, emitter.triangle, b.y, 1.0f - b.x - b.y,
+                                    data_.textures);
+    return IncomingLight{
+        .wi = to_light / distance,
+        .distance = distance * (1.0f - shadow_margin),
+        .radiance = emitted_radiance(emitter.placement->material(emitter.triangle), attributes),
+        .pdf = uniform_triangle_pdf() * distance2 * distance / projected};
+}
+
+float Scene::emitter_pdf(const SurfaceHit& hit, const V3f& p, const V3f& n) const
+{
+    const int emitter = hit.emitter();
+    if (emitter < 0) {
+        return 0.0f;
+    }
+    const auto index = static_cast<std::uint32_t>(emitter);
+    const auto [p0, p1, p2] = corners_world(emitters_[index]);
+    const V3f to_light = hit.p_world - p;
+    const float distance2 = to_light.length2();
+    const float projected = std::abs((p1 - p0).cross(p2 - p0).dot(to_light));
+    if (!(projected > 0.0f)) {
+        return 0.0f;
+    }
+    return uniform_triangle_pdf() * distance2 * std::sqrt(distance2) / projected *
+           light_sampler_.probability(LightKind::Triangle, index, p, n);
+}
+
+float Scene::environment_pdf(const V3f& wi, const V3f& p, const V3f& n) const
+{
+    return environment_.pdf(wi) * light_sampler_.probability(LightKind::Environment, 0, p, n);
+}
+
+}  // namespace eye_render

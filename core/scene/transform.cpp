@@ -1,0 +1,56 @@
+#include "scene/transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eye_render {
+
+namespace {
+
+V3d axis(const M44d& m, int row) { return {m[row][0], m[row][1], m[row][2]}; }
+
+}  // namespace
+
+M44d relative_to_eye(M44d world_from_object, const V3d& eye_position_world)
+{
+    for (int i = 0; i < 3; ++i) {
+        world_from_object[3][i] -= eye_position_world[i];
+    }
+    return world_from_object;
+}
+
+M44f to_float(const M44d& m)
+{
+    M44f result;
+    for (int i = 0; i < 4; ++i) {
+        for (int j = 0; j < 4; ++j) {
+            result[i][j] = static_cast<float>(m[i][j]);
+        }
+    }
+    return result;
+}
+
+bool is_mirror(const M44d& m) { return axis(m, 0).dot(axis(m, 1).cross(axis(m, 2))) < 0.0; }
+
+M33f normal_matrix(const M44d& m)
+{
+    const V3d x = axis(m, 0);
+    const V3d y = axis(m, 1);
+    const V3d z = axis(m, 2);
+    const V3d rows[3] = {y.cross(z), z.cross(x), x.cross(y)};
+    // Objects in micrometres would underflow in float.
+    double largest = 0.0;
+    for (const V3d& row : rows) {
+        largest = std::max({largest, std::abs(row.x), std::abs(row.y), std::abs(row.z)});
+    }
+    const double scale = (is_mirror(m) ? -1.0 : 1.0) / (largest > 0.0 ? largest : 1.0);
+    M33f result;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            result[i][j] = static_cast<float>(rows[i][j] * scale);
+        }
+    }
+    return result;
+}
+
+}  // namespace eye_render
