@@ -1,5 +1,6 @@
 """Whole renders: what arrives in Blender's result and in its files."""
 
+import re
 import subprocess
 
 import bpy
@@ -9,6 +10,8 @@ from scenes import add_object, emitter, quad_mesh, write_multilayer
 
 RED = (1.0, 0.0, 0.0)
 GREEN = (0.0, 1.0, 0.0)
+PUPIL_MM = 4.0  # the property's default
+ARCMIN_PER_MM_D = 60 * 180 / np.pi / 1000
 
 
 def wall(color: tuple[float, float, float], x: float = 0.0, size: float = 10.0):
@@ -23,6 +26,19 @@ def wall(color: tuple[float, float, float], x: float = 0.0, size: float = 10.0):
 def file_info(path: str) -> str:
     command = ["oiiotool", "--info", "-v", path]
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+
+def channel_averages(path: str) -> dict[str, float]:
+    """The mean of every channel of every part of a file."""
+    command = ["oiiotool", "-a", "--info", "-v", "--stats", path]
+    report = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    names = re.findall("channel list: (.*)", report)
+    averages = re.findall(r"Stats Avg: (.*) \(float\)", report)
+    return {
+        name: float(average)
+        for part_names, part_averages in zip(names, averages, strict=True)
+        for name, average in zip(part_names.split(", "), part_averages.split(), strict=True)
+    }
 
 
 @pytest.fixture
@@ -79,18 +95,16 @@ def test_every_enabled_pass_arrives_in_the_file(scene, tmp_path):
     switches.use_pass_albedo = switches.use_pass_defocus = switches.use_pass_blur = True
     write_multilayer(scene, str(tmp_path / "passes.exr"))
     bpy.ops.render.render(write_still=True)
-    info = file_info(scene.render.filepath)
-    for channel in ("Depth.Z", "Normal.X", "Albedo.R", "Defocus.X", "Blur.X"):
-        assert f"{view_layer.name}.{channel}" in info
-
-    sums = subprocess.run(
-        ["oiiotool", "--stats", scene.render.filepath], capture_output=True, text=True, check=True
-    ).stdout
-    names = info.split("channel list: ")[1].splitlines()[0].split(", ")
-    averages = sums.split("Stats Avg: ")[1].splitlines()[0].split()
-    average = dict(zip(names, averages, strict=False))
-    assert float(average[f"{view_layer.name}.Depth.Z"]) == pytest.approx(2.0, rel=1e-3)
-    assert float(average[f"{view_layer.name}.Normal.Z"]) == pytest.approx(1.0, rel=1e-3)
+    average = {
+        name.removeprefix(f"{view_layer.name}."): value
+        for name, value in channel_averages(scene.render.filepath).items()
+    }
+    assert average["Combined.R"] == pytest.approx(1.0, rel=1e-3)
+    assert average["Depth.Z"] == pytest.approx(2.0, rel=1e-3)
+    assert average["Normal.Z"] == pytest.approx(1.0, rel=1e-3)
+    assert average["Albedo.R"] == pytest.approx(0.0)
+    assert average["Defocus.X"] == pytest.approx(-0.5, rel=1e-3)  # a relaxed eye, 2 m away
+    assert average["Blur.X"] == pytest.approx(0.5 * PUPIL_MM * ARCMIN_PER_MM_D, rel=1e-3)
 
 
 def test_the_file_carries_the_observer(scene, render):
@@ -144,9 +158,10 @@ def test_each_view_layer_renders_its_own_objects(scene, tmp_path):
     second.layer_collection.children["Red"].exclude = True
     write_multilayer(scene, str(tmp_path / "layers.exr"))
     bpy.ops.render.render(write_still=True)
-    info = file_info(scene.render.filepath)
-    assert "Second.Combined.G" in info
-    assert f"{scene.view_layers[0].name}.Combined.R" in info
+    average = channel_averages(scene.render.filepath)
+    for layer, color in ((scene.view_layers[0].name, RED), ("Second", GREEN)):
+        rendered = [average[f"{layer}.Combined.{channel}"] for channel in "RGB"]
+        assert rendered == pytest.approx(color, abs=1e-3)
 
 
 def test_the_seed_changes_the_noise_and_nothing_else_does(scene, render):
