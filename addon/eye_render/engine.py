@@ -7,7 +7,7 @@ import bpy
 from . import core, final, passes
 from .core import EyeRenderError
 
-_VIEWPORT_SENTENCE = "Eye Render has no viewport picture yet: press F12 to render"
+_VIEWPORT_SENTENCE = "Eye Render draws no picture in the viewport: press F12 to render"
 
 
 class EyeRenderEngine(bpy.types.RenderEngine):

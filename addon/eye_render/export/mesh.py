@@ -19,12 +19,18 @@ def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int |
     corners = np.empty((triangle_count, 3), np.int32)
     mesh.loop_triangles.foreach_get("loops", corners.ravel())
     triangles = compat.corner_vertices(mesh)[corners]
+    positions = compat.vertex_positions(mesh)
+    normals = _normals(mesh, corners)
+    if compat.normals_domain(mesh) == "CORNER" and len(normals) == len(positions):
+        # The core tells normals of corners from those of vertices by their number: one vertex
+        # more, that no triangle uses, makes it differ.
+        positions = np.concatenate([positions, positions[:1]])
     active_uv, uvs = _uvs(mesh, corners, core_scene.uv_layers_read(material_ids))
     return core_scene.add_mesh(
         mesh.name,
-        compat.vertex_positions(mesh),
+        positions,
         triangles,
-        normals=_normals(mesh, corners),
+        normals=normals,
         uvs=uvs,
         colors=_colors(mesh, corners, triangles, core_scene.color_attributes_read(material_ids)),
         material_slots=_material_slots(mesh, triangle_count),
