@@ -1,0 +1,139 @@
+// From observer to eye: focus, pupil, plan and what is told about them.
+
+#include "api/engine.h"
+
+#include "base/units.h"
+#include "eye/field_luminance.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace eye_render {
+namespace {
+
+// A grey wall of radiance `radiance` at `distance` metres that fills the view.
+std::shared_ptr<SceneBuilder> wall(double distance, float radiance)
+{
+    auto scene = std::make_shared<SceneBuilder>();
+    Mesh mesh;
+    mesh.name = "wall";
+    mesh.positions = {{-100, -100, 0}, {100, -100, 0}, {100, 100, 0}, {-100, 100, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    Material material;
+    material.surface = Surface::Emission;
+    material.emission_color.constant = Color3f(1.0f);
+    material.emission_strength.constant = Color3f(radiance);
+    M44d at;
+    at.setTranslation(V3d(0, 0, -distance));
+    scene->add_mesh(mesh);
+    scene->add_material(material);
+    scene->add_instance({.mesh = 0, .world_from_object = at, .materials = {0}});
+    CameraFrame frame;
+    frame.width_px = frame.height_px = 16;
+    frame.border = {0, 0, 16, 16};
+    frame.clip_near = 0.01;
+    frame.clip_far = 1e6;
+    scene->set_camera(frame);
+    return scene;
+}
+
+Observer myope(double sphere_d)
+{
+    Observer observer;
+    observer.rx.sphere_d = sphere_d;
+    observer.rx_plane = RxPlane::EntrancePupil;
+    observer.pupil_mm = 4.0;
+    return observer;
+}
+
+TEST(Engine, accommodates_to_the_image_centre)
+{
+    Observer observer = myope(-1.0);
+    observer.focus = FocusMode::Center;
+    Engine engine(wall(0.4, 1.0f), observer, {});
+    EXPECT_NEAR(engine.eye().accommodation_d, 1.0 / 0.4 - 1.0, 1e-5);
+    EXPECT_NEAR(engine.eye().focus_distance_m, 0.4, 1e-6);
+    EXPECT_TRUE(engine.eye().notes.empty());
+}
+
+TEST(Engine, presbyope_cannot_focus_near_and_is_told_so)
+{
+    Observer observer = myope(0.0);
+    observer.age_years = 70.0;
+    observer.focus = FocusMode::Distance;
+    observer.focus_distance_m = 0.4;
+    Engine engine(wall(2.0, 1.0f), observer, {});
+    EXPECT_EQ(engine.eye().accommodation_d, 0.0);
+    ASSERT_EQ(engine.warnings().size(), 1u);
+    EXPECT_NE(engine.warnings()[0].find("2.5 D"), std::string::npos) << engine.warnings()[0];
+}
+
+TEST(Engine, myope_cannot_focus_beyond_the_far_point)
+{
+    Observer observer = myope(-3.0);
+    observer.focus = FocusMode::Center;
+    Engine engine(wall(10.0, 1.0f), observer, {});
+    EXPECT_EQ(engine.eye().accommodation_d, 0.0);
+    EXPECT_EQ(engine.warnings().size(), 1u);
+}
+
+TEST(Engine, automatic_pupil_is_the_formulas_for_the_scenes_luminance)
+{
+    Observer observer = myope(0.0);
+    observer.pupil_mm.reset();
+    Engine engine(wall(2.0, 0.5f), observer, {});
+    // The wall's radiance 0.5 by 179 cd/m2, everywhere.
+    EXPECT_NEAR(engine.eye().luminance_cd_m2, 89.5, 1e-3);
+    const double area = field_area_deg2({.left = -0.5, .right = 0.5, .bottom = -0.5, .top = 0.5});
+    const PupilSize expected =
+        pupil_size(PupilFormula::WatsonYellott,
+                   {.luminance_cd_m2 = 89.5, .area_deg2 = area, .age_years = observer.age_years});
+    EXPECT_NEAR(engine.eye().pupil_mm, mm_from_m(expected.diameter_m), 1e-6);
+    EXPECT_EQ(engine.metadata().at("pupil_formula"), "WATSON_YELLOTT");
+}
+
+TEST(Engine, darker_scene_opens_the_pupil)
+{
+    Observer observer = myope(0.0);
+    observer.pupil_mm.reset();
+    Engine bright(wall(2.0, 10.0f), observer, {});
+    Engine dark(wall(2.0, 0.001f), observer, {});
+    EXPECT_GT(dark.eye().pupil_mm, bright.eye().pupil_mm + 2.0);
+}
+
+TEST(Engine, metadata_names_the_observer)
+{
+    Observer observer = myope(-2.0);
+    observer.rx.cylinder_d = -0.75;
+    observer.rx.axis_deg = 160.0;
+    Engine engine(wall(2.0, 1.0f), observer, {});
+    const auto metadata = engine.metadata();
+    EXPECT_EQ(metadata.at("rx"), "-2.00DS -0.75DC 160A");
+    EXPECT_EQ(metadata.at("model"), "paraxial");
+    EXPECT_EQ(metadata.at("pupil_mm"), "4");
+}
+
+TEST(Engine, refuses_numbers_out_of_range)
+{
+    const auto refusal = [](const Observer& observer, const RenderSettings& settings) {
+        try {
+            Engine engine(wall(2.0, 1.0f), observer, settings);
+        } catch (const std::invalid_argument& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    Observer wide = myope(0.0);
+    wide.pupil_mm = 10.0;
+    EXPECT_EQ(refusal(wide, {}), "pupil is 10 mm; expected 0 to 9 mm");
+    Observer unknown_age = myope(0.0);
+    unknown_age.age_years = std::nan("");
+    EXPECT_EQ(refusal(unknown_age, {}), "age is nan years; expected 0 to 120 years");
+    EXPECT_EQ(refusal(myope(0.0), {.samples = {.first = 4, .last = 4}}),
+              "sample range is 4:4; expected FIRST:LAST with FIRST below LAST");
+    EXPECT_EQ(refusal(myope(-40.0), {}), "sphere_d is -40 D; expected -30 to 30 D");
+}
+
+}  // namespace
+}  // namespace eye_render

@@ -1,0 +1,81 @@
+#include "api/scene_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace eye_render {
+namespace {
+
+std::string refusal(const std::function<void()>& call)
+{
+    try {
+        call();
+    } catch (const std::invalid_argument& error) {
+        return error.what();
+    }
+    return "";
+}
+
+Mesh two_triangles()
+{
+    Mesh mesh;
+    mesh.name = "pair";
+    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {std::nanf(""), 1, 0}};
+    mesh.triangles = {{1, 2, 3}, {0, 1, 2}};
+    mesh.material_slots = {4, 7};
+    mesh.uv_layers = {{"UV", {{0, 0}, {0, 0}, {0, 0}, {1, 1}, {2, 2}, {3, 3}}}};
+    return mesh;
+}
+
+TEST(SceneBuilder, triangles_without_a_place_are_left_out_with_a_warning)
+{
+    SceneBuilder scene;
+    scene.add_mesh(two_triangles());
+    const Mesh& mesh = scene.data().meshes[0];
+    ASSERT_EQ(mesh.triangles.size(), 1u);
+    EXPECT_EQ(mesh.triangles[0], (TriangleIndices{0, 1, 2}));
+    EXPECT_EQ(mesh.material_slots, std::vector<std::int32_t>{7});
+    EXPECT_EQ(mesh.uv_layers[0].per_corner[2], V2f(3, 3));
+    ASSERT_EQ(scene.warnings().size(), 1u);
+    EXPECT_NE(scene.warnings()[0].find("pair"), std::string::npos);
+}
+
+TEST(SceneBuilder, refuses_what_does_not_exist)
+{
+    SceneBuilder scene;
+    EXPECT_EQ(refusal([&] {
+                  scene.add_instance({.mesh = 2, .world_from_object = {}, .materials = {}});
+              }),
+              "mesh 2 does not exist; there are 0");
+    EXPECT_EQ(refusal([&] { static_cast<void>(scene.camera()); }), "the scene has no camera");
+}
+
+TEST(SceneBuilder, refuses_a_camera_that_sees_nothing)
+{
+    SceneBuilder scene;
+    CameraFrame frame;
+    frame.width_px = 0;
+    EXPECT_EQ(refusal([&] { scene.set_camera(frame); }),
+              "resolution x is 0 px; expected 1 to 65536 px");
+    frame.width_px = frame.height_px = 8;
+    frame.border = {0, 0, 8, 9};
+    EXPECT_EQ(refusal([&] { scene.set_camera(frame); }), "border y1 is 9 px; expected 1 to 8 px");
+}
+
+TEST(SceneBuilder, layer_names_have_one_number_each)
+{
+    SceneBuilder scene;
+    EXPECT_EQ(scene.uv_layer("a"), 0);
+    EXPECT_EQ(scene.uv_layer(""), 1);
+    EXPECT_EQ(scene.uv_layer("a"), 0);
+    Material material;
+    material.roughness.texture = 0;
+    material.roughness.uv_layer = 1;
+    const std::size_t number = scene.add_material(material);
+    EXPECT_EQ(scene.uv_layers_read({number}), std::vector<std::string>{""});
+}
+
+}  // namespace
+}  // namespace eye_render

@@ -1,0 +1,117 @@
+// Hits as materials see them: sides, normals, layers and tangents, mirrored objects included.
+
+#include "scene/scene.h"
+
+#include <gtest/gtest.h>
+
+namespace eye_render {
+namespace {
+
+// A square in z = 0 facing +Z, u along x and v along y.
+Mesh square()
+{
+    Mesh mesh;
+    mesh.name = "square";
+    mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+    mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+    mesh.uv_layers = {{"UVMap", {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}}};
+    return mesh;
+}
+
+SceneData one(const Mesh& mesh, const M44d& world_from_object)
+{
+    SceneData data;
+    data.uv_layer_names = {"", "UVMap", "absent"};
+    data.meshes.push_back(mesh);
+    data.instances.push_back({.mesh = 0, .world_from_object = world_from_object, .materials = {}});
+    return data;
+}
+
+M44d at_two_metres(double scale_x)
+{
+    M44d m;
+    m[0][0] = scale_x;
+    m[3][2] = -2.0;
+    return m;
+}
+
+TEST(SurfaceHit, turns_to_the_viewer_and_says_which_side_it_was)
+{
+    for (const double scale_x : {1.0, -1.0}) {
+        const SceneData data = one(square(), at_two_metres(scale_x));
+        const Scene scene(data, V3d(0.0));
+        const auto front = scene.intersect({});
+        ASSERT_TRUE(front);
+        EXPECT_EQ(front->point.ng, V3f(0, 0, 1)) << scale_x;
+        EXPECT_FALSE(front->point.backfacing) << "a mirrored object keeps its front";
+        const auto back = scene.intersect({.origin = V3f(0, 0, -4), .direction = V3f(0, 0, 1)});
+        ASSERT_TRUE(back);
+        EXPECT_EQ(back->point.ng, V3f(0, 0, -1));
+        EXPECT_TRUE(back->point.backfacing);
+    }
+}
+
+TEST(SurfaceHit, flat_and_instanced_meshes_look_alike)
+{
+    Mesh mesh = square();
+    mesh.normal_domain = NormalDomain::PerVertex;
+    mesh.normals.assign(4, V3f(0.6f, 0.0f, 0.8f));
+    const SceneData flat_data = one(mesh, at_two_metres(-0.5));
+    SceneData instanced_data = one(mesh, at_two_metres(-0.5));
+    M44d elsewhere;
+    elsewhere.setTranslation(V3d(50, 0, 0));
+    instanced_data.instances.push_back(
+        {.mesh = 0, .world_from_object = elsewhere, .materials = {}});
+    const Scene flat(flat_data, V3d(0.0));
+    const Scene instanced(instanced_data, V3d(0.0));
+    const Ray ray{.direction = V3f(0.1f, 0.2f, -1.0f).normalized()};
+    const auto a = flat.intersect(ray);
+    const auto b = instanced.intersect(ray);
+    ASSERT_TRUE(a && b);
+    EXPECT_LT((a->p_world - b->p_world).length(), 1e-6f);
+    EXPECT_LT((a->point.ns - b->point.ns).length(), 1e-6f);
+    EXPECT_LT((a->point.ng - b->point.ng).length(), 1e-6f);
+    const TangentFrame frame_a = flat.attributes(*a).tangent(1);
+    const TangentFrame frame_b = instanced.attributes(*b).tangent(1);
+    EXPECT_LT((frame_a.tangent - frame_b.tangent).length(), 1e-6f);
+    EXPECT_EQ(frame_a.bitangent_sign, frame_b.bitangent_sign);
+}
+
+TEST(SurfaceHit, layers_are_read_where_the_ray_met_the_mesh)
+{
+    const SceneData data = one(square(), at_two_metres(1.0));
+    const Scene scene(data, V3d(0.0));
+    const auto hit = scene.intersect({.origin = V3f(0.5f, -0.25f, 0)});
+    ASSERT_TRUE(hit);
+    const MeshAttributes attributes = scene.attributes(*hit);
+    EXPECT_NEAR(attributes.uv(1).x, 0.75f, 1e-6f);
+    EXPECT_NEAR(attributes.uv(1).y, 0.375f, 1e-6f);
+    EXPECT_EQ(attributes.uv(0), attributes.uv(1)) << "no name is the first layer";
+    EXPECT_EQ(attributes.uv(2), V2f(0.0f)) << "a layer that the mesh lacks is zero";
+}
+
+TEST(SurfaceHit, tangent_follows_u_and_bitangent_follows_v_also_when_mirrored)
+{
+    for (const double scale_x : {1.0, -1.0}) {
+        const SceneData data = one(square(), at_two_metres(scale_x));
+        const Scene scene(data, V3d(0.0));
+        const auto hit = scene.intersect({});
+        const TangentFrame frame = scene.attributes(*hit).tangent(1);
+        EXPECT_EQ(frame.tangent, V3f(static_cast<float>(scale_x), 0, 0));
+        const V3f bitangent = hit->point.ns.cross(frame.tangent) * frame.bitangent_sign;
+        EXPECT_EQ(bitangent, V3f(0, 1, 0)) << scale_x;
+    }
+}
+
+TEST(SurfaceHit, corner_normals_that_cancel_fall_back_to_the_face)
+{
+    Mesh mesh = square();
+    mesh.normal_domain = NormalDomain::PerVertex;
+    mesh.normals.assign(4, V3f(0.0f));
+    const SceneData data = one(mesh, at_two_metres(1.0));
+    const Scene scene(data, V3d(0.0));
+    EXPECT_EQ(scene.intersect({})->point.ns, V3f(0, 0, 1));
+}
+
+}  // namespace
+}  // namespace eye_render
