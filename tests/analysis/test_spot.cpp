@@ -104,7 +104,7 @@ public:
     [[nodiscard]] EyeRay ray(const V2d& slope, const V2d& pupil_point_m, double) const override
     {
         if (pupil_point_m.y > 0.0) {
-            return {.fate = RayFate::Vignetted, .weight = 0.0};
+            return {.fate = RayFate::Vignetted};
         }
         return {.origin_eye_m = {pupil_point_m.x, pupil_point_m.y, 0.0},
                 .slope = slope,
