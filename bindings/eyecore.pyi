@@ -1,0 +1,230 @@
+"""A path tracer that sees a scene through a model of one person's eye.
+
+Lengths of the eye are in millimetres or metres as the names say, powers in dioptres, angles in
+degrees unless a name ends in _rad. The camera frame is Blender's: the eye looks along -Z, +X
+right, +Y up as the patient sees. A slope is (dx, dy) per unit of forward travel. Everything that
+is refused raises ValueError with name, value, unit and what is allowed.
+"""
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__version__: str
+PASSES: list[tuple[str, int, str]]  # name, channels, channel names
+EYE_MODELS: list[str]
+PUPIL_FORMULAS: list[str]
+PUPIL_PATTERNS: list[str]
+
+class Prescription:
+    def __init__(
+        self,
+        sphere_d: float = 0.0,
+        cylinder_d: float = 0.0,
+        axis_deg: float = 180.0,
+        add_d: float = 0.0,
+    ) -> None: ...
+    @staticmethod
+    def parse(text: str) -> Prescription: ...
+    @property
+    def sphere_d(self) -> float: ...
+    @property
+    def cylinder_d(self) -> float: ...
+    @property
+    def axis_deg(self) -> float: ...
+    @property
+    def add_d(self) -> float: ...
+    @property
+    def eye(self) -> str: ...
+    def text(self) -> str: ...
+    def transposed(self) -> Prescription: ...
+    def power_vector(self) -> tuple[float, float, float]: ...
+    def power_matrix(self) -> tuple[tuple[float, float], tuple[float, float]]: ...
+
+class BlurEllipse:
+    @property
+    def major_arcmin(self) -> float: ...
+    @property
+    def minor_arcmin(self) -> float: ...
+    @property
+    def angle_deg(self) -> float | None: ...
+    @property
+    def rms_radius_arcmin(self) -> float: ...
+
+class Eye:
+    def __init__(
+        self,
+        model: str = "paraxial",
+        rx: Prescription | str = "plano",
+        rx_plane: str = "spectacle",
+        vertex_mm: float = 12.0,
+        pupil_mm: float = 4.0,
+        accommodation_d: float = 0.0,
+    ) -> None: ...
+    def rays(
+        self, chief_slope: ArrayLike, pupil_point_m: ArrayLike, wavelength_nm: float = 555.0
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+    def blur_ellipse(self, distance_m: float = ...) -> BlurEllipse: ...
+    @property
+    def far_point_m(self) -> float: ...
+    @property
+    def retinal_conjugate_d(self) -> tuple[tuple[float, float], tuple[float, float]]: ...
+
+def pupil_diameter_mm(
+    formula: str,
+    luminance_cd_m2: float,
+    area_deg2: float = 3600.0,
+    age_years: float = 30.0,
+    eyes: int = 2,
+) -> float: ...
+def accommodation_amplitude_d(age_years: float) -> float: ...
+
+class ImageInput:
+    def __init__(self, texture: int, uv_layer: str = "", channel: str = "COLOR") -> None: ...
+
+class AttributeInput:
+    def __init__(self, name: str, channel: str = "COLOR") -> None: ...
+
+_Input = float | Sequence[float] | ImageInput | AttributeInput
+
+class Scene:
+    def __init__(self) -> None: ...
+    def add_texture(
+        self,
+        path: str,
+        *,
+        colorspace: str = "sRGB",
+        extension: str = "REPEAT",
+        interpolation: str = "Linear",
+    ) -> int: ...
+    def add_texture_pixels(
+        self,
+        name: str,
+        pixels: NDArray[np.uint8] | NDArray[np.float32],
+        *,
+        colorspace: str = "sRGB",
+        extension: str = "REPEAT",
+        interpolation: str = "Linear",
+    ) -> int: ...
+    def add_material(
+        self,
+        name: str,
+        surface: str = "PRINCIPLED",
+        multiple_scattering: bool = True,
+        **inputs: _Input,
+    ) -> int: ...
+    def add_mesh(
+        self,
+        name: str,
+        positions: ArrayLike,
+        triangles: ArrayLike,
+        *,
+        normals: ArrayLike | None = None,
+        uvs: Mapping[str, ArrayLike] = ...,
+        colors: Mapping[str, ArrayLike] = ...,
+        material_slots: ArrayLike | None = None,
+        active_uv: str = "",
+    ) -> int: ...
+    def add_instances(
+        self, mesh: int, world_from_object: ArrayLike, materials: Sequence[int] = ...
+    ) -> None: ...
+    def add_light(
+        self,
+        name: str,
+        kind: str,
+        world_from_light: ArrayLike,
+        color: Sequence[float],
+        *,
+        radius: float = 0.0,
+        angle_rad: float = 0.0,
+        spot_angle_rad: float = ...,
+        spot_blend: float = 0.15,
+        shape: str = "RECTANGLE",
+        size_x: float = 1.0,
+        size_y: float = 1.0,
+        spread_rad: float = ...,
+        casts_shadow: bool = True,
+    ) -> None: ...
+    def set_world(
+        self,
+        color: Sequence[float] = ...,
+        strength: float = 1.0,
+        texture: int | None = None,
+        texture_from_world: ArrayLike | None = None,
+    ) -> None: ...
+    def set_camera(
+        self,
+        world_from_camera: ArrayLike,
+        slope_bounds: tuple[float, float, float, float],
+        resolution: tuple[int, int],
+        border: tuple[int, int, int, int] | None = None,
+        clip: tuple[float, float] = ...,
+        metres_per_unit: float = 1.0,
+    ) -> None: ...
+    def uv_layers_read(self, materials: Sequence[int]) -> list[str]: ...
+    def color_attributes_read(self, materials: Sequence[int]) -> list[str]: ...
+
+class Observer:
+    def __init__(
+        self,
+        *,
+        model: str = "paraxial",
+        rx: Prescription | str = "plano",
+        rx_plane: str = "spectacle",
+        vertex_mm: float = 12.0,
+        age_years: float = 30.0,
+        pupil: float | str = "auto",
+        pupil_formula: str = "WATSON_YELLOTT",
+        cd_m2_per_unit: float = 179.0,
+        luminance_sigma: float = 0.5,
+        focus: float | str = "relaxed",
+    ) -> None: ...
+
+class Settings:
+    def __init__(
+        self,
+        *,
+        samples: int = 64,
+        max_bounces: int = 8,
+        seed: int = 0,
+        sample_range: tuple[int, int] | None = None,
+        pattern: str = "SOBOL",
+        passes: Sequence[str] = ...,
+        threads: int = 0,
+        film_transparent: bool = False,
+        filter_width_px: float = 1.5,
+    ) -> None: ...
+
+class Session:
+    def __init__(self, scene: Scene, observer: Observer, settings: Settings) -> None: ...
+    def start(self) -> None: ...
+    def cancel(self) -> None: ...
+    def wait(self, timeout_s: float) -> bool: ...
+    def snapshot(self) -> dict[str, NDArray[np.float32]]: ...
+    @property
+    def samples_done(self) -> int: ...
+    @property
+    def samples_total(self) -> int: ...
+    @property
+    def progress(self) -> float: ...
+    @property
+    def error(self) -> str | None: ...
+    @property
+    def plan_text(self) -> str: ...
+    @property
+    def warnings(self) -> list[str]: ...
+    @property
+    def metadata(self) -> dict[str, str]: ...
+    @property
+    def pupil_mm(self) -> float: ...
+    @property
+    def luminance_cd_m2(self) -> float: ...
+    @property
+    def pupil_report(self) -> str: ...
+    @property
+    def accommodation_d(self) -> float: ...
+
+def render(
+    scene: Scene, observer: Observer, settings: Settings
+) -> dict[str, NDArray[np.float32]]: ...

@@ -1,0 +1,133 @@
+"""`import eyecore` in plain Python: arrays in and out, and errors that say what is wrong."""
+
+import eyecore
+import numpy as np
+import pytest
+
+QUAD = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], np.float32)
+TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
+
+
+def lit_quad(**material) -> eyecore.Scene:
+    """A square 2 m before the eye in a world of radiance 1."""
+    scene = eyecore.Scene()
+    number = scene.add_material("paint", "DIFFUSE", **(material or {"base_color": 0.5}))
+    at = np.eye(4)
+    at[2, 3] = -2.0
+    uvs = {"UVMap": QUAD[TRIANGLES.ravel(), :2] * 0.5 + 0.5}
+    scene.add_instances(scene.add_mesh("quad", QUAD, TRIANGLES, uvs=uvs), at[None], [number])
+    scene.set_world(color=(1.0, 1.0, 1.0))
+    scene.set_camera(np.eye(4), (-0.2, 0.2, -0.1, 0.1), (16, 8))
+    return scene
+
+
+def test_render_gives_each_pass_as_an_array_of_its_shape() -> None:
+    names = [name for name, _, _ in eyecore.PASSES]
+    images = eyecore.render(
+        lit_quad(), eyecore.Observer(pupil=4), eyecore.Settings(samples=4, passes=names)
+    )
+    for name, channels, channel_ids in eyecore.PASSES:
+        assert len(channel_ids) == channels
+        assert images[name].shape == (8, 16, channels)
+        assert images[name].dtype == np.float32
+    # Half of the world's radiance; 512 paths estimate it to 0.005.
+    assert images["Combined"][:, :, :3].mean() == pytest.approx(0.5, abs=0.02)
+    assert images["Depth"] == pytest.approx(2.0, abs=1e-5)
+    assert images["Normal"][4, 8] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
+    assert images["Albedo"] == pytest.approx(0.5, abs=1e-6)
+
+
+def test_rows_are_bottom_up() -> None:
+    scene = eyecore.Scene()
+    pixels = np.zeros((2, 2, 4), np.float32)
+    pixels[1] = 1.0  # the upper row is white
+    texture = scene.add_texture_pixels("half", pixels, interpolation="Closest")
+    paint = scene.add_material(
+        "m", "EMISSION", emission_color=eyecore.ImageInput(texture), emission_strength=1
+    )
+    assert scene.uv_layers_read([paint]) == [""]
+    at = np.eye(4)
+    at[2, 3] = -2.0
+    uvs = {"UVMap": QUAD[TRIANGLES.ravel(), :2] * 0.5 + 0.5}
+    scene.add_instances(scene.add_mesh("quad", QUAD, TRIANGLES, uvs=uvs), at[None], [paint])
+    scene.set_camera(np.eye(4), (-0.2, 0.2, -0.2, 0.2), (8, 8))
+    image = eyecore.render(scene, eyecore.Observer(model="pinhole"), eyecore.Settings(samples=4))
+    column = image["Combined"][:, 4, 0]
+    assert column[0] == 0.0 and column[-1] > 0.0
+
+
+def test_session_is_pulled_and_cancelled() -> None:
+    session = eyecore.Session(
+        lit_quad(), eyecore.Observer(rx="-12.00DS", pupil=6), eyecore.Settings(samples=1 << 20)
+    )
+    assert "lens: sampled" in session.plan_text
+    session.start()
+    assert not session.wait(0.05)
+    session.cancel()
+    assert session.wait(2.0)
+    assert session.error is None
+    assert 0 < session.progress < 1
+    assert session.snapshot()["Combined"].shape == (8, 16, 4)
+
+
+def test_rays_of_an_eye_follow_its_power_matrix() -> None:
+    eye = eyecore.Eye(rx="-3.00DS", rx_plane="entrance_pupil")
+    origin, slope, weight = eye.rays([[0.1, 0.0]], [[0.002, 0.001]])
+    assert origin == pytest.approx(np.array([[0.002, 0.001, 0.0]]))
+    assert slope == pytest.approx(np.array([[0.1 - 3 * 0.002, -3 * 0.001]]))
+    assert weight == pytest.approx(np.array([1.0]))
+    assert eye.far_point_m == pytest.approx(1 / 3)
+
+
+def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
+    scene = lit_quad()
+    texture = scene.add_texture("/nowhere/absent.png")
+    paint = scene.add_material(
+        "m", "EMISSION", emission_color=eyecore.ImageInput(texture), emission_strength=1
+    )
+    at = np.eye(4)
+    at[2, 3] = -1.0
+    scene.add_instances(scene.add_mesh("near", QUAD, TRIANGLES), at[None], [paint])
+    session = eyecore.Session(
+        scene, eyecore.Observer(model="pinhole"), eyecore.Settings(samples=1)
+    )
+    session.start()
+    session.wait(10.0)
+    assert any("absent.png" in warning for warning in session.warnings)
+    red, green, blue, _ = session.snapshot()["Combined"][4, 8]
+    assert red > 0 and green == 0 and blue > 0
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: eyecore.Eye(pupil_mm=12), r"pupil.* is .*12|0\.012"),
+        (lambda: eyecore.Eye(model="lens"), r"model is 'lens'; expected one of pinhole, paper"),
+        (lambda: eyecore.Eye(rx="-2.00 -0.75"), r"axis"),
+        (lambda: eyecore.Prescription(axis_deg=190), r"axis_deg is 190.*; expected 0 to 180"),
+        (lambda: eyecore.Observer(pupil="wide"), r"pupil is 'wide'; expected one of auto"),
+        (lambda: eyecore.Settings(passes=["Shine"]), r"pass 'Shine' does not exist"),
+        (lambda: eyecore.Scene().add_material("m", "WOOL"), r"surface is 'WOOL'; expected one of"),
+        (lambda: eyecore.Scene().add_material("m", gloss=1), r"input of material 'm' is 'gloss'"),
+        (
+            lambda: eyecore.Scene().add_mesh("m", QUAD[:, :2], TRIANGLES),
+            r"positions has shape \(4, 2\); expected \(n, 3\)",
+        ),
+        (
+            lambda: eyecore.Scene().add_mesh("m", QUAD, TRIANGLES + 7),
+            r"mesh 'm': triangle 0 has vertex 7; expected 0 to 4",
+        ),
+        (
+            lambda: eyecore.Session(eyecore.Scene(), eyecore.Observer(), eyecore.Settings()),
+            r"the scene has no camera",
+        ),
+        (
+            lambda: eyecore.render(lit_quad(), eyecore.Observer(), eyecore.Settings(samples=0)),
+            r"sample range is 0:0",
+        ),
+        (lambda: eyecore.pupil_diameter_mm("GUESS", 10.0), r"formula is 'GUESS'; expected one of"),
+    ],
+)
+def test_refusals_name_value_and_what_is_allowed(call, sentence: str) -> None:
+    with pytest.raises(ValueError, match=sentence):
+        call()
