@@ -116,6 +116,11 @@ TEST(Textures, alpha_is_left_alone_in_data)
     const int t = set.add_pixels("n", PixelsU8{1, 1, half}, {.colorspace = Colorspace::NonColor});
     expect_near(set.lookup(t, {0.5f, 0.5f}), {200 / 255.0f, 100 / 255.0f, 50 / 255.0f, 0.2f},
                 1e-5f, "data");
+    // Texel (3, 0) of the file is (180, 0, 0) with alpha 100.
+    const int file =
+        set.add_file(data_dir + "straight_alpha_4x3.png", {.colorspace = Colorspace::NonColor});
+    expect_near(set.lookup(file, {3.5f / 4.0f, 0.5f / 3.0f}),
+                {180 / 255.0f, 0.0f, 0.0f, 100 / 255.0f}, 1e-5f, "data file");
 }
 
 TEST(Textures, lookups_agree_with_cycles)
