@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <optional>
+#include <variant>
 
 namespace eye_render {
 
@@ -62,41 +63,54 @@ void add_instances(SceneBuilder& scene,
     }
 }
 
+// Keyword arguments go to the members of the same name.
+void set_lamp_member(LampSettings& settings, const std::string& name, const py::handle& value)
+{
+    using Member =
+        std::variant<float LampSettings::*, bool LampSettings::*, LampShape LampSettings::*>;
+    const auto member = named<Member>("setting of a light", name,
+                                      {{"radius", &LampSettings::radius},
+                                       {"soft_falloff", &LampSettings::soft_falloff},
+                                       {"angle_rad", &LampSettings::angle_rad},
+                                       {"spot_angle_rad", &LampSettings::spot_angle_rad},
+                                       {"spot_blend", &LampSettings::spot_blend},
+                                       {"spot_cosine_falloff", &LampSettings::spot_cosine_falloff},
+                                       {"shape", &LampSettings::shape},
+                                       {"size_x", &LampSettings::size_x},
+                                       {"size_y", &LampSettings::size_y},
+                                       {"spread_rad", &LampSettings::spread_rad},
+                                       {"casts_shadow", &LampSettings::casts_shadow}});
+    if (const auto* number = std::get_if<float LampSettings::*>(&member)) {
+        settings.** number = value.cast<float>();
+    } else if (const auto* flag = std::get_if<bool LampSettings::*>(&member)) {
+        settings.** flag = value.cast<bool>();
+    } else {
+        settings.shape =
+            named<LampShape>("shape", value.cast<std::string>(),
+                             {{"RECTANGLE", LampShape::Rectangle}, {"DISK", LampShape::Disk}});
+    }
+}
+
 void add_light(SceneBuilder& scene,
                const std::string& name,
                const std::string& kind,
                const Array<double>& world_from_light,
                const py::object& color,
-               float radius,
-               float angle_rad,
-               float spot_angle_rad,
-               float spot_blend,
-               const std::string& shape,
-               float size_x,
-               float size_y,
-               float spread_rad,
-               bool casts_shadow)
+               const py::kwargs& settings)
 {
-    LampSettings settings;
-    settings.kind = named<LampKind>("kind", kind,
-                                    {{"POINT", LampKind::Point},
-                                     {"SUN", LampKind::Sun},
-                                     {"SPOT", LampKind::Spot},
-                                     {"AREA", LampKind::Area}});
-    settings.color = color_from(color);
-    settings.radius = radius;
-    settings.angle_rad = angle_rad;
-    settings.spot_angle_rad = spot_angle_rad;
-    settings.spot_blend = spot_blend;
-    settings.shape = named<LampShape>(
-        "shape", shape, {{"RECTANGLE", LampShape::Rectangle}, {"DISK", LampShape::Disk}});
-    settings.size_x = size_x;
-    settings.size_y = size_y;
-    settings.spread_rad = spread_rad;
-    settings.casts_shadow = casts_shadow;
-    scene.add_lamp({.name = name,
-                    .settings = settings,
-                    .world_from_light = matrix_from(world_from_light, "world_from_light")});
+    LampData lamp{.name = name,
+                  .settings = {},
+                  .world_from_light = matrix_from(world_from_light, "world_from_light")};
+    lamp.settings.kind = named<LampKind>("kind", kind,
+                                         {{"POINT", LampKind::Point},
+                                          {"SUN", LampKind::Sun},
+                                          {"SPOT", LampKind::Spot},
+                                          {"AREA", LampKind::Area}});
+    lamp.settings.color = color_from(color);
+    for (const auto& [key, value] : settings) {
+        set_lamp_member(lamp.settings, key.cast<std::string>(), value);
+    }
+    scene.add_lamp(lamp);
 }
 
 void set_world(SceneBuilder& scene,
@@ -171,11 +185,12 @@ void bind_scene(py::module_& m)
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(),
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot.")
-        .def("add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
-             py::kw_only(), "radius"_a = 0.0f, "angle_rad"_a = 0.0f,
-             "spot_angle_rad"_a = 0.785398f, "spot_blend"_a = 0.15f, "shape"_a = "RECTANGLE",
-             "size_x"_a = 1.0f, "size_y"_a = 1.0f, "spread_rad"_a = 3.1415927f,
-             "casts_shadow"_a = true, "color is colour times energy: W, for the sun W/m^2.")
+        .def(
+            "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
+            "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
+            "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
+            "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"
+            "casts_shadow.")
         .def("set_world", &set_world, "color"_a = py::make_tuple(0.0, 0.0, 0.0),
              "strength"_a = 1.0f, "texture"_a = py::none(), "texture_from_world"_a = py::none(),
              "Radiance = strength times colour, or times an equirectangular texture.")

