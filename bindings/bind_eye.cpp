@@ -1,12 +1,7 @@
 // eyecore.Eye, and what is known of pupils and accommodation.
 
-#include "analysis/blur_ellipse.h"
-#include "base/units.h"
+#include "api/eye.h"
 #include "bind_values.h"
-#include "eye/accommodation.h"
-#include "eye/eye_factory.h"
-#include "eye/pupil_pattern.h"
-#include "eye/pupil_size.h"
 #include "module.h"
 
 #include <limits>
@@ -14,21 +9,6 @@
 namespace eye_render {
 
 namespace {
-
-std::shared_ptr<const EyeModel> make_python_eye(const std::string& model,
-                                                const py::object& rx,
-                                                const std::string& rx_plane,
-                                                double vertex_mm,
-                                                double pupil_mm,
-                                                double accommodation_d)
-{
-    return make_eye({.model = named_of("model", model, eye_model_kinds),
-                     .rx = prescription_from_python(rx),
-                     .rx_plane = rx_plane_named(rx_plane),
-                     .vertex_m = m_from_mm(vertex_mm),
-                     .pupil_diameter_m = m_from_mm(pupil_mm),
-                     .accommodation_d = accommodation_d});
-}
 
 py::tuple rays(const EyeModel& eye,
                const Array<double>& chief_slope,
@@ -59,16 +39,6 @@ py::tuple rays(const EyeModel& eye,
     return py::make_tuple(origin, slope, weight);
 }
 
-// E = K - I / distance; an infinite distance is an ordinary one.
-PowerMatrix error_at(const EyeModel& eye, double distance)
-{
-    if (!(distance > 0.0)) {
-        throw std::invalid_argument("distance_m is " + std::to_string(distance) +
-                                    " m; expected above 0");
-    }
-    return eye.retinal_conjugate_d() - PowerMatrix::sphere(1.0 / distance);
-}
-
 }  // namespace
 
 void bind_eye(py::module_& m)
@@ -91,20 +61,20 @@ void bind_eye(py::module_& m)
         .def(py::init([](const std::string& model, const py::object& rx,
                          const std::string& rx_plane, double vertex_mm, double pupil_mm,
                          double accommodation_d) {
-                 return std::const_pointer_cast<EyeModel>(
-                     make_python_eye(model, rx, rx_plane, vertex_mm, pupil_mm, accommodation_d));
+                 return std::shared_ptr<EyeModel>(
+                     make_eye(EyeDescription{.model = named_of("model", model, eye_model_kinds),
+                                             .rx = prescription_from_python(rx),
+                                             .rx_plane = rx_plane_named(rx_plane),
+                                             .vertex_mm = vertex_mm,
+                                             .pupil_mm = pupil_mm,
+                                             .accommodation_d = accommodation_d}));
              }),
              "model"_a = "paraxial", "rx"_a = "plano", "rx_plane"_a = "spectacle",
              "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0, "accommodation_d"_a = 0.0)
         .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
              "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
              "2).")
-        .def(
-            "blur_ellipse",
-            [](const EyeModel& eye, double distance) {
-                return blur_ellipse(error_at(eye, distance), eye.pupil_diameter_m());
-            },
-            "distance_m"_a = std::numeric_limits<double>::infinity())
+        .def("blur_ellipse", &blur_at, "distance_m"_a = std::numeric_limits<double>::infinity())
         .def_property_readonly(
             "far_point_m",
             [](const EyeModel& eye) { return distance_m(eye.retinal_conjugate_d().mean_d()); },
@@ -119,12 +89,11 @@ void bind_eye(py::module_& m)
         "pupil_diameter_mm",
         [](const std::string& formula, double luminance_cd_m2, double area_deg2, double age_years,
            int eyes) {
-            return mm_from_m(pupil_size(named_of("formula", formula, pupil_formulas),
-                                        {.luminance_cd_m2 = luminance_cd_m2,
-                                         .area_deg2 = area_deg2,
-                                         .age_years = age_years,
-                                         .eyes = eyes})
-                                 .diameter_m);
+            return pupil_diameter_mm(named_of("formula", formula, pupil_formulas),
+                                     {.luminance_cd_m2 = luminance_cd_m2,
+                                      .area_deg2 = area_deg2,
+                                      .age_years = age_years,
+                                      .eyes = eyes});
         },
         "formula"_a, "luminance_cd_m2"_a, "area_deg2"_a = 3600.0, "age_years"_a = 30.0,
         "eyes"_a = 2, "Diameter of the entrance pupil, clamped to 1.5 to 9 mm.");

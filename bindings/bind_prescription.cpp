@@ -1,9 +1,7 @@
 // eyecore.Prescription.
 
-#include "base/error.h"
+#include "api/eye.h"
 #include "module.h"
-#include "optics/prescription.h"
-#include "optics/prescription_text.h"
 
 #include <pybind11/operators.h>
 

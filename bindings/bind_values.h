@@ -2,9 +2,8 @@
 
 #pragma once
 
-#include "eye/eye_factory.h"
+#include "api/eye.h"
 #include "module.h"
-#include "optics/prescription_text.h"
 
 #include <string>
 

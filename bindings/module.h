@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "base/vector.h"
+#include "api/scene_builder.h"
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>

@@ -3,10 +3,7 @@
 
 #pragma once
 
-#include "eye/eye_factory.h"
-#include "eye/pupil_pattern.h"
-#include "eye/pupil_size.h"
-#include "optics/prescription.h"
+#include "api/eye.h"
 #include "render/passes.h"
 #include "render/tracer.h"
 
@@ -20,7 +17,7 @@ enum class FocusMode { Relaxed, Distance, Center };
 
 struct Observer {
     EyeModelKind model = EyeModelKind::Paraxial;
-    Prescription rx;
+    Prescription rx{};
     RxPlane rx_plane = RxPlane::Spectacle;
     double vertex_mm = 12.0;
     double age_years = 30.0;

@@ -2,7 +2,6 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "eye/accommodation.h"
 #include "eye/field_luminance.h"
 #include "render/tracer.h"
 
@@ -20,12 +19,12 @@ constexpr int luminance_width_px = 64;
 constexpr std::uint32_t luminance_samples = 32;
 constexpr int luminance_bounces = 4;
 
-EyeSpec spec_of(const Observer& observer)
+EyeDescription described(const Observer& observer)
 {
     return {.model = observer.model,
             .rx = observer.rx,
             .rx_plane = observer.rx_plane,
-            .vertex_m = m_from_mm(observer.vertex_mm)};
+            .vertex_mm = observer.vertex_mm};
 }
 
 double focus_distance_m(const Observer& observer, const Scene& scene, const CameraFrame& frame)
@@ -49,7 +48,7 @@ void accommodate(ObserverEye& eye, const Observer& observer)
         return;
     }
     // The relaxed eye's K is minus its prescription at the plane where its own model works.
-    const PowerMatrix rx = PowerMatrix{} - make_eye(spec_of(observer))->retinal_conjugate_d();
+    const PowerMatrix rx = PowerMatrix{} - make_eye(described(observer))->retinal_conjugate_d();
     const double amplitude_d = accommodation_amplitude_d(observer.age_years);
     const double wanted_d = 1.0 / eye.focus_distance_m + rx.mean_d();
     eye.accommodation_d = best_accommodation_d(rx, 1.0 / eye.focus_distance_m, amplitude_d);
@@ -78,7 +77,7 @@ std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
     frame.width_px = std::min(full_frame.width_px, luminance_width_px);
     frame.height_px = std::max(1, full_frame.height_px * frame.width_px / full_frame.width_px);
     frame.border = {0, 0, frame.width_px, frame.height_px};
-    job.eye = make_eye({.model = EyeModelKind::Pinhole});
+    job.eye = make_eye(EyeDescription{.model = EyeModelKind::Pinhole});
     job.lens = false;
     job.integrator.max_bounces = luminance_bounces;
     Film film(frame.border, {});
@@ -134,15 +133,15 @@ ObserverEye make_observer_eye(const Observer& observer,
     ObserverEye eye;
     eye.focus_distance_m = focus_distance_m(observer, *scene, frame);
     if (observer.model == EyeModelKind::Pinhole) {
-        eye.model = make_eye({.model = EyeModelKind::Pinhole});
+        eye.model = make_eye(EyeDescription{.model = EyeModelKind::Pinhole});
         return eye;
     }
     accommodate(eye, observer);
     adapt_pupil(eye, observer, scene, frame);
-    EyeSpec spec = spec_of(observer);
-    spec.pupil_diameter_m = m_from_mm(eye.pupil_mm);
-    spec.accommodation_d = eye.accommodation_d;
-    eye.model = make_eye(spec);
+    EyeDescription description = described(observer);
+    description.pupil_mm = eye.pupil_mm;
+    description.accommodation_d = eye.accommodation_d;
+    eye.model = make_eye(description);
     return eye;
 }
 
