@@ -21,7 +21,8 @@ namespace eye_render {
 
 namespace {
 
-// A raw pointer in OpenImageIO 2, a shared one from 3.0 on.
+// Raw pointers in OpenImageIO 2, shared ones from 3.0 on.
+using CachePointer = decltype(OIIO::ImageCache::create(false));
 using SystemPointer = decltype(OIIO::TextureSystem::create(false));
 
 constexpr float cache_size_mb = 4096.0f;
@@ -104,6 +105,7 @@ OIIO::TextureOpt lookup_options(const TextureOptions& options)
 
 struct TextureSet::Impl {
     std::vector<std::unique_ptr<MemoryImage>> images;  // outlives the system that reads it
+    CachePointer cache{};
     SystemPointer system{};
     std::vector<Texture> textures;
     std::mutex warnings_mutex;
@@ -112,8 +114,11 @@ struct TextureSet::Impl {
 
     ~Impl()
     {
-        if (system) {
-            OIIO::TextureSystem::destroy(system);
+        // The system is not destroyed: OpenImageIO 2 would delete it by the size of its base
+        // class, which ruins the heap of an allocator that believes it, such as Blender's. That
+        // leaves 184 bytes; all else the system holds is the cache's. From 3.0 on it goes by itself.
+        if (cache) {
+            OIIO::ImageCache::destroy(cache);
         }
     }
 
@@ -122,7 +127,8 @@ struct TextureSet::Impl {
         if (system) {
             return;
         }
-        system = OIIO::TextureSystem::create(false);
+        cache = OIIO::ImageCache::create(false);
+        system = OIIO::TextureSystem::create(false, cache);
         system->attribute("max_memory_MB", cache_size_mb);
         system->attribute("unassociatedalpha", 1);
     }
