@@ -25,10 +25,11 @@ def main(folder: str, samples: str, *spheres_d: str) -> None:
         print(f"View {sphere_d}", flush=True)
         picture = Path(folder) / f"demo_{sphere_d}DS.exr"
         # Written by the render, so that it carries the observer in its metadata.
-        scene.render.image_settings.file_format = "OPEN_EXR"
+        image = scene.render.image_settings
+        image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGB", "32"
         scene.render.filepath = str(picture)
         bpy.ops.render.render(write_still=True)
-        scene.render.image_settings.file_format = "PNG"
+        image.file_format, image.color_depth = "PNG", "8"
         result = bpy.data.images["Render Result"]
         result.save_render(str(picture.with_suffix(".png")), scene=scene)
 
