@@ -116,7 +116,7 @@ struct TextureSet::Impl {
     {
         // The system is not destroyed: OpenImageIO 2 would delete it by the size of its base
         // class, which ruins the heap of an allocator that believes it, such as Blender's. That
-        // leaves 184 bytes; all else the system holds is the cache's. From 3.0 on it goes by itself.
+        // leaves 184 bytes; all else it holds is the cache's. From 3.0 on it goes by itself.
         if (cache) {
             OIIO::ImageCache::destroy(cache);
         }
