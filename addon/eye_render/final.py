@@ -122,17 +122,18 @@ def _show_until_finished(
     def show() -> None:
         _write(engine, depsgraph.view_layer_eval.name, view_name, frame, session.snapshot())
 
+    is_watched = not bpy.app.background
     interval_s = FIRST_PICTURE_S
     next_picture = time.monotonic() + interval_s
     while not session.wait(SLICE_S):
         done = session.progress()
         if engine.test_break():
-            if done.samples_done > 0:
+            if is_watched and done.samples_done > 0:
                 show()
             raise _Cancelled
         engine.update_progress(done.fraction)
         engine.update_stats(view_name, f"Sample {done.samples_done}/{done.samples}")
-        if not bpy.app.background and time.monotonic() >= next_picture:
+        if is_watched and time.monotonic() >= next_picture:
             show()
             interval_s = min(interval_s * PICTURE_INTERVAL_GROWTH, SLOWEST_PICTURE_S)
             next_picture = time.monotonic() + interval_s
