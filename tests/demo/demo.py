@@ -113,7 +113,7 @@ def render_views(scene: Path, samples: int) -> list[Path]:
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="run demo")
-    parser.add_argument("--samples", type=int, default=128, help="per pixel (default 128)")
+    parser.add_argument("--samples", type=int, default=64, help="per pixel (default 64)")
     parser.add_argument(
         "--scene-only", action="store_true", help="build the scenes, render nothing"
     )
