@@ -30,6 +30,13 @@ def test_a_file_goes_by_its_absolute_path(table, file_image, tmp_path):
     assert texture.colorspace == "sRGB"
 
 
+def test_a_path_written_on_windows_is_found(table, file_image, tmp_path):
+    images, recording = table
+    file_image.filepath_raw = f"{tmp_path}\\.\\drawn.png"
+    images.texture(file_image)
+    assert recording.textures[0].path == str(tmp_path / "drawn.png")
+
+
 def test_the_same_use_of_an_image_is_one_texture(table, file_image):
     images, recording = table
     assert images.texture(file_image) == images.texture(file_image) == 0

@@ -1,4 +1,5 @@
 import math
+from types import SimpleNamespace
 
 import bpy
 import numpy as np
@@ -90,3 +91,12 @@ def test_a_lamps_emission_node_multiplies_its_colour(scene, export):
     recording = RecordingScene()
     export_light(recording, bpy.data.objects["Lamp"], Matrix.Identity(4), print)
     assert recording.lights[0].color == pytest.approx((plain[0] * 2, plain[1], 0.0))
+
+
+def test_a_lamp_of_a_kind_that_blender_does_not_know_is_named_and_left_out():
+    lamp = SimpleNamespace(name="Hemi", type="")  # what Blender 3.4 makes of Collada's ambient
+    recording, warnings = RecordingScene(), []
+    export_light(recording, SimpleNamespace(data=lamp), Matrix.Identity(4), warnings.append)
+    assert recording.lights == []
+    (warning,) = warnings
+    assert "Hemi" in warning

@@ -43,9 +43,10 @@ class ImageTable:
             self._warn(f"Image '{image.name}' is shown magenta: {kind} is not supported")
             return None
         if image.source == "FILE" and not image.packed_files and not image.is_dirty:
-            path = bpy.path.abspath(image.filepath, library=image.library)
+            # Where Blender itself looks: it also reads the backslashes of files from Windows.
+            path = Path(image.filepath_from_user()).resolve()
             return self._core_scene.add_texture(
-                str(Path(path).resolve()), colorspace=self._colorspace(image), **how
+                str(path), colorspace=self._colorspace(image), **how
             )
         return self._add_pixels(image, **how)
 

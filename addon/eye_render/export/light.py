@@ -10,11 +10,16 @@ from mathutils import Matrix, Vector
 from .. import compat
 from .nodes import constant, source_node
 
+_KINDS = {"POINT", "SUN", "SPOT", "AREA"}
+
 
 def export_light(
     core_scene, shown: bpy.types.Object, world_from_object: Matrix, warn: Callable[[str], None]
 ) -> None:
     light = shown.data
+    if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
+        warn(f"Light '{light.name}' is left out: its kind is not one that Blender knows")
+        return
     shape = _shape(light, world_from_object.to_scale())
     # Unit axes: the sizes carry the scale, and a mirrored lamp keeps its direction.
     world_from_light = world_from_object.to_3x3().normalized().to_4x4()
