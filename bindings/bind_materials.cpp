@@ -23,7 +23,7 @@ Channel channel_named(const std::string& name)
 {
     return named<Channel>(
         "channel", name,
-        {{"COLOR", Channel::Color}, {"AVERAGE", Channel::Average}, {"ALPHA", Channel::Alpha}});
+        {{"COLOR", Channel::Color}, {"LUMINANCE", Channel::Luminance}, {"ALPHA", Channel::Alpha}});
 }
 
 TextureOptions texture_options(const std::string& colorspace,

@@ -26,10 +26,11 @@ std::size_t add_mesh(SceneBuilder& scene,
     mesh.positions = rows<V3f>(positions, "positions");
     mesh.triangles = rows<TriangleIndices>(triangles, "triangles");
     if (normals) {
-        mesh.normals = rows<V3f>(*normals, "normals");
-        mesh.normal_domain = mesh.normals.size() == mesh.positions.size()
-                                 ? NormalDomain::PerVertex
-                                 : NormalDomain::PerCorner;
+        const bool per_corner = normals->ndim() == 3;
+        Array<float> flat = *normals;
+        mesh.normals =
+            rows<V3f>(per_corner ? Array<float>(flat.reshape({-1, 3})) : flat, "normals");
+        mesh.normal_domain = per_corner ? NormalDomain::PerCorner : NormalDomain::PerVertex;
     }
     for (const auto& [layer, values] : uvs) {
         const auto at = layer == active_uv ? mesh.uv_layers.begin() : mesh.uv_layers.end();
@@ -180,7 +181,7 @@ void bind_scene(py::module_& m)
         .def("add_mesh", &add_mesh, "name"_a, "positions"_a, "triangles"_a, py::kw_only(),
              "normals"_a = py::none(), "uvs"_a = py::dict(), "colors"_a = py::dict(),
              "material_slots"_a = py::none(), "active_uv"_a = "",
-             "Number of a mesh: positions (n, 3), triangles (m, 3), normals (n, 3) or (3 m, 3),\n"
+             "Number of a mesh: positions (n, 3), triangles (m, 3), normals (n, 3) or (m, 3, 3),\n"
              "UV layers (3 m, 2), colours (3 m, 4) linear, material_slots (m,).")
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(),

@@ -1,6 +1,7 @@
 #include "render/integrator.h"
 
 #include <cmath>
+#include <utility>
 
 namespace eye_render {
 
@@ -25,8 +26,7 @@ float power_heuristic(float pdf, float other_pdf)
 
 // The last place where the path was scattered, and how: what MIS compares with.
 struct Scattering {
-    V3f p{0.0f};
-    V3f n{0.0f};
+    LitPoint point;  // weighed unless is_delta
     float pdf = 0.0f;
     bool is_delta = true;  // the camera counts as one: no light sampling competes with its ray
 };
@@ -72,10 +72,10 @@ public:
                 ray.t_max -= hit->t;
                 continue;
             }
-            last_ = {.p = hit->p_world,
-                     .n = hit->point.ng,
-                     .pdf = sample->pdf,
-                     .is_delta = sample->is_delta};
+            std::swap(last_, here_);
+            last_->point.p_world = hit->p_world;
+            last_->pdf = sample->pdf;
+            last_->is_delta = sample->is_delta;
             travelled_ = 0.0f;
             ray.direction = sample->wi;
             ray.t_max = std::numeric_limits<float>::infinity();
@@ -106,7 +106,7 @@ private:
     // MIS weight of light that a BSDF-sampled ray found and light sampling finds with `light_pdf`.
     float weight_against(float light_pdf) const
     {
-        return last_.is_delta ? 1.0f : power_heuristic(last_.pdf, light_pdf);
+        return last_->is_delta ? 1.0f : power_heuristic(last_->pdf, light_pdf);
     }
 
     void add_lamps(const Ray& ray, float t_end)
@@ -114,7 +114,7 @@ private:
         if (bounce_ == 0) {
             return;
         }
-        scene_.visit_lamps(last_.p, last_.n, ray.direction, travelled_, travelled_ + t_end,
+        scene_.visit_lamps(last_->point, ray.direction, travelled_, travelled_ + t_end,
                            [this](const LampContribution& lamp) {
                                add(throughput_ * lamp.radiance * weight_against(lamp.pdf));
                            });
@@ -128,15 +128,14 @@ private:
             return;
         }
         const float light_pdf =
-            last_.is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_.p, last_.n);
+            last_->is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_->point);
         add(throughput_ * scene_.background(ray.direction) * weight_against(light_pdf));
     }
 
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
     {
         if (max_component(emission) > 0.0f) {
-            const float light_pdf =
-                last_.is_delta ? 0.0f : scene_.emitter_pdf(hit, last_.p, last_.n);
+            const float light_pdf = last_->is_delta ? 0.0f : scene_.emitter_pdf(hit, last_->point);
             add(throughput_ * emission * weight_against(light_pdf));
         }
     }
@@ -147,7 +146,8 @@ private:
             return;
         }
         const auto u = sequence_.next();
-        const auto light = scene_.sample_light(hit.p_world, hit.point.ng, u[2], V2f(u[0], u[1]));
+        scene_.weigh_lights(hit.p_world, hit.point.ng, here_->point);
+        const auto light = scene_.sample_light(here_->point, u[2], V2f(u[0], u[1]));
         if (!light) {
             return;
         }
@@ -197,8 +197,10 @@ private:
     SampleSequence& sequence_;
     PathRadiance result_;
     Color3f throughput_{1.0f};
-    Scattering last_;
-    float travelled_ = 0.0f;  // from last_.p, through straight passages
+    Scattering scatterings_[2];
+    Scattering* last_ = &scatterings_[0];
+    Scattering* here_ = &scatterings_[1];  // becomes the last one when the path is scattered here
+    float travelled_ = 0.0f;               // from the last scattering, through straight passages
     int bounce_ = 0;
     bool has_first_surface_ = false;
 };

@@ -10,9 +10,18 @@ namespace eye_render {
 
 namespace {
 
-// A slice is what is traced between two looks at the clock. The first ones are short, so that
-// something shows at once.
-constexpr std::uint32_t longest_slice = 16;
+// A slice is what is traced before the count of done samples moves on. Slices grow while they are
+// short and shrink when they are long: progress is seen, and threads seldom wait for each other.
+constexpr std::chrono::duration<double> short_slice(0.25);
+constexpr std::chrono::duration<double> long_slice(1.0);
+
+std::uint32_t next_slice(std::uint32_t slice, std::chrono::duration<double> took)
+{
+    if (took < short_slice) {
+        return 2 * slice;
+    }
+    return took > long_slice ? std::max(slice / 2, 1u) : slice;
+}
 
 }  // namespace
 
@@ -67,13 +76,14 @@ void Session::run()
             }
             std::uint32_t slice = 1;
             for (std::uint32_t first = settings_.samples.first; first < settings_.samples.last;) {
-                const std::uint32_t last = std::min(first + slice, settings_.samples.last);
+                const auto start = std::chrono::steady_clock::now();
+                const std::uint32_t last = first + std::min(slice, settings_.samples.last - first);
                 if (!trace_samples(job_, {.first = first, .last = last}, film_, cancelled_)) {
                     return;
                 }
                 samples_done_.fetch_add(last - first);
                 first = last;
-                slice = std::min(2 * slice, longest_slice);
+                slice = next_slice(slice, std::chrono::steady_clock::now() - start);
             }
         });
     } catch (const std::exception& exception) {

@@ -105,7 +105,7 @@ LightSampler::LightSampler(std::span<const Lamp> lamps,
         }
     }
     static_assert(max_lamp_clusters + max_sun_clusters + max_triangle_clusters + 1 <=
-                  max_clusters);
+                  LitPoint::max_clusters);
     add_clusters(local, max_lamp_clusters);
     add_clusters(suns, max_sun_clusters);
     add_clusters(emissive, max_triangle_clusters);
@@ -216,10 +216,10 @@ std::size_t LightSampler::place_index(LightKind kind, std::uint32_t index) const
     return 0;
 }
 
-void LightSampler::cluster_probabilities(const V3f& p_world,
-                                         const V3f& n_world,
-                                         Probabilities& result) const
+void LightSampler::weigh(const V3f& p_world, const V3f& n_world, LitPoint& point) const
 {
+    point.p_world = p_world;
+    auto& result = point.probabilities_;
     const std::size_t count = clusters_.size();
     float sum = 0.0f;
     for (std::size_t i = 0; i < count; ++i) {
@@ -238,15 +238,12 @@ void LightSampler::cluster_probabilities(const V3f& p_world,
     }
 }
 
-std::optional<LightChoice> LightSampler::choose(const V3f& p_world,
-                                                const V3f& n_world,
-                                                float u) const
+std::optional<LightChoice> LightSampler::choose(const LitPoint& point, float u) const
 {
     if (clusters_.empty()) {
         return std::nullopt;
     }
-    Probabilities probabilities;
-    cluster_probabilities(p_world, n_world, probabilities);
+    const auto& probabilities = point.probabilities_;
     std::size_t i = 0;
     while (i + 1 < clusters_.size() && u >= probabilities[i]) {
         u -= probabilities[i++];
@@ -262,18 +259,13 @@ std::optional<LightChoice> LightSampler::choose(const V3f& p_world,
     return LightChoice{entry->kind, entry->light, probabilities[i] * entry->probability};
 }
 
-float LightSampler::probability(LightKind kind,
-                                std::uint32_t index,
-                                const V3f& p_world,
-                                const V3f& n_world) const
+float LightSampler::probability(LightKind kind, std::uint32_t index, const LitPoint& point) const
 {
     const Place place = places_.empty() ? Place{} : places_[place_index(kind, index)];
     if (place.cluster == Place::nowhere) {
         return 0.0f;
     }
-    Probabilities probabilities;
-    cluster_probabilities(p_world, n_world, probabilities);
-    return probabilities[place.cluster] * entries_[place.entry].probability;
+    return point.probabilities_[place.cluster] * entries_[place.entry].probability;
 }
 
 }  // namespace eye_render

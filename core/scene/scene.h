@@ -56,33 +56,37 @@ public:
     // The part of the light that passes along the ray: 0 behind an opaque surface.
     [[nodiscard]] Color3f transmittance(const Ray& ray) const;
 
-    // One light and one point on it, for the point `p` whose lit side is `n`; u_light and both of
-    // u in [0, 1). Nothing if no light was chosen or the chosen one cannot light the point.
-    [[nodiscard]] std::optional<IncomingLight> sample_light(const V3f& p,
-                                                            const V3f& n,
+    // Weighs the lights for a point whose lit side is `n`.
+    void weigh_lights(const V3f& p, const V3f& n, LitPoint& point) const
+    {
+        light_sampler_.weigh(p, n, point);
+    }
+
+    // One light and one place on it, for a weighed point; u_light and both of u in [0, 1). Nothing
+    // if no light was chosen or the chosen one cannot light the point.
+    [[nodiscard]] std::optional<IncomingLight> sample_light(const LitPoint& point,
                                                             float u_light,
                                                             const V2f& u) const;
 
-    // Density of `sample_light` at (p, n) for what a ray from p in direction wi met there.
-    [[nodiscard]] float emitter_pdf(const SurfaceHit& hit, const V3f& p, const V3f& n) const;
-    [[nodiscard]] float environment_pdf(const V3f& wi, const V3f& p, const V3f& n) const;
+    // Density of `sample_light` at a point for what a ray from there in direction wi met.
+    [[nodiscard]] float emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const;
+    [[nodiscard]] float environment_pdf(const V3f& wi, const LitPoint& point) const;
 
     // Calls visit(LampContribution) for each lamp between t_min and t_max along a ray that a BSDF
-    // chose at (p, n). Lamps do not stop rays.
+    // chose at the point. Lamps do not stop rays.
     template <typename Visit>
-    void visit_lamps(const V3f& p,
-                     const V3f& n,
+    void visit_lamps(const LitPoint& point,
                      const V3f& direction,
                      float t_min,
                      float t_max,
                      Visit visit) const
     {
         for (const std::uint32_t index : visible_lamps_) {
-            const auto hit = lamp_hit(lamps_[index], p, direction, t_max);
+            const auto hit = lamp_hit(lamps_[index], point.p_world, direction, t_max);
             if (hit && hit->t > t_min) {
                 visit(LampContribution{
                     hit->radiance,
-                    hit->pdf * light_sampler_.probability(LightKind::Lamp, index, p, n)});
+                    hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point)});
             }
         }
     }

@@ -60,12 +60,12 @@ std::array<V3f, 3> Scene::corners_world(const Emitter& emitter) const
     return corners;
 }
 
-std::optional<IncomingLight> Scene::sample_light(const V3f& p,
-                                                 const V3f& n,
+std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
                                                  float u_light,
                                                  const V2f& u) const
 {
-    const auto choice = light_sampler_.choose(p, n, u_light);
+    const V3f& p = point.p_world;
+    const auto choice = light_sampler_.choose(point, u_light);
     if (!choice) {
         return std::nullopt;
     }
@@ -124,7 +124,7 @@ std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
         .pdf = uniform_triangle_pdf() * distance2 * distance / projected};
 }
 
-float Scene::emitter_pdf(const SurfaceHit& hit, const V3f& p, const V3f& n) const
+float Scene::emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const
 {
     const int emitter = hit.emitter();
     if (emitter < 0) {
@@ -132,19 +132,19 @@ float Scene::emitter_pdf(const SurfaceHit& hit, const V3f& p, const V3f& n) cons
     }
     const auto index = static_cast<std::uint32_t>(emitter);
     const auto [p0, p1, p2] = corners_world(emitters_[index]);
-    const V3f to_light = hit.p_world - p;
+    const V3f to_light = hit.p_world - point.p_world;
     const float distance2 = to_light.length2();
     const float projected = std::abs((p1 - p0).cross(p2 - p0).dot(to_light));
     if (!(projected > 0.0f)) {
         return 0.0f;
     }
     return uniform_triangle_pdf() * distance2 * std::sqrt(distance2) / projected *
-           light_sampler_.probability(LightKind::Triangle, index, p, n);
+           light_sampler_.probability(LightKind::Triangle, index, point);
 }
 
-float Scene::environment_pdf(const V3f& wi, const V3f& p, const V3f& n) const
+float Scene::environment_pdf(const V3f& wi, const LitPoint& point) const
 {
-    return environment_.pdf(wi) * light_sampler_.probability(LightKind::Environment, 0, p, n);
+    return environment_.pdf(wi) * light_sampler_.probability(LightKind::Environment, 0, point);
 }
 
 }  // namespace eye_render

@@ -11,7 +11,7 @@
 namespace eye_render {
 
 // Which number of a looked-up colour a scalar input takes.
-enum class Channel { Color, Average, Alpha };
+enum class Channel { Color, Luminance, Alpha };
 
 // One input: the constant, or (when `texture` or `attribute` is set) what is read at the hit,
 // in place of the constant. `texture` is looked up at UV layer `uv_layer`.

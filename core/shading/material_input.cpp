@@ -1,5 +1,5 @@
 // Look-ups of material inputs. A colour that feeds a scalar counts by its luminance, as in
-// Blender; `Channel::Average` and `Channel::Alpha` feed a colour as grey.
+// Blender; `Channel::Luminance` and `Channel::Alpha` feed a colour as grey.
 
 #include "shading/material_input.h"
 
@@ -22,7 +22,7 @@ float scalar_from_lookup(const MaterialInput& input, const Color4f& c)
 {
     switch (input.channel) {
     case Channel::Alpha: return c.a;
-    case Channel::Average: return (c.r + c.g + c.b) / 3.0f;
+    case Channel::Luminance: return luminance(Color3f(c.r, c.g, c.b));
     default: return luminance({c.r, c.g, c.b});
     }
 }

@@ -113,7 +113,7 @@ def test_image_colour_alpha_and_uv_map(export):
     link(material, texture.outputs["Alpha"], principled.inputs["Alpha"])
     _, inputs, warnings = export(material)
     assert inputs["base_color"] == ("image", 0, {"uv_layer": "Second", "channel": "COLOR"})
-    assert inputs["roughness"] == ("image", 0, {"uv_layer": "Second", "channel": "AVERAGE"})
+    assert inputs["roughness"] == ("image", 0, {"uv_layer": "Second", "channel": "LUMINANCE"})
     assert inputs["alpha"] == ("image", 0, {"uv_layer": "Second", "channel": "ALPHA"})
     assert warnings == []
 

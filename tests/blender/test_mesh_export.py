@@ -58,13 +58,13 @@ def test_custom_normals_are_kept(scene, depsgraph_of):
     assert np.allclose(normals, tilted, atol=1e-3)
 
 
-def test_normals_of_corners_are_never_as_many_as_vertices(scene, depsgraph_of):
+def test_normals_of_corners_are_told_from_those_of_as_many_vertices(scene, depsgraph_of):
     mesh = bpy.data.meshes.new("Soup")  # every vertex is one corner's
     mesh.from_pydata(np.eye(3).repeat(2, axis=0).tolist(), [], [(0, 2, 4), (5, 3, 1)])
     mesh.polygons.foreach_set("use_smooth", [True, False])
     result = exported(mesh, depsgraph_of)
-    assert len(result.normals) == 6
-    assert len(result.positions) != 6
+    assert len(result.positions) == 6
+    assert result.normals.shape == (2, 3, 3)
 
 
 def test_only_uv_layers_that_are_read_are_exported(scene, depsgraph_of):

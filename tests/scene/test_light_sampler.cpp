@@ -15,6 +15,13 @@
 namespace eye_render {
 namespace {
 
+LitPoint weighed(const LightSampler& sampler, const V3f& p, const V3f& n)
+{
+    LitPoint point;
+    sampler.weigh(p, n, point);
+    return point;
+}
+
 Lamp lamp_at(LampSettings settings, const V3f& position)
 {
     settings.world_from_light.setTranslation(position);
@@ -36,12 +43,13 @@ struct Lights {
 
     double sum_of_probabilities(const LightSampler& sampler, const V3f& p, const V3f& n) const
     {
-        double sum = double(sampler.probability(LightKind::Environment, 0, p, n));
+        double sum =
+            double(sampler.probability(LightKind::Environment, 0, weighed(sampler, p, n)));
         for (std::uint32_t i = 0; i < lamps.size(); ++i) {
-            sum += double(sampler.probability(LightKind::Lamp, i, p, n));
+            sum += double(sampler.probability(LightKind::Lamp, i, weighed(sampler, p, n)));
         }
         for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-            sum += double(sampler.probability(LightKind::Triangle, i, p, n));
+            sum += double(sampler.probability(LightKind::Triangle, i, weighed(sampler, p, n)));
         }
         return sum;
     }
@@ -121,7 +129,7 @@ TEST(LightSampler, chooses_as_often_as_the_probability_says)
         for (const auto& [p, n] : places) {
             std::map<std::pair<LightKind, std::uint32_t>, int> chosen;
             for (int i = 0; i < count; ++i) {
-                const auto choice = sampler.choose(p, n, uniform(rng));
+                const auto choice = sampler.choose(weighed(sampler, p, n), uniform(rng));
                 ASSERT_TRUE(choice);
                 ++chosen[{choice->kind, choice->index}];
             }
@@ -129,7 +137,8 @@ TEST(LightSampler, chooses_as_often_as_the_probability_says)
             std::vector<double> expected;
             const auto add = [&](LightKind kind, std::size_t lights_of_kind) {
                 for (std::uint32_t i = 0; i < lights_of_kind; ++i) {
-                    const double probability = double(sampler.probability(kind, i, p, n));
+                    const double probability =
+                        double(sampler.probability(kind, i, weighed(sampler, p, n)));
                     if (probability > 0.0) {
                         expected.push_back(count * probability);
                         observed.push_back(chosen[{kind, i}]);
@@ -155,9 +164,11 @@ TEST(LightSampler, a_choice_carries_its_own_probability)
         const LightSampler sampler = lights.sampler();
         for (const auto& [p, n] : places) {
             for (int i = 0; i <= 1000; ++i) {
-                const auto c = sampler.choose(p, n, std::min(float(i) * 1e-3f, 0x1.fffffep-1f));
+                const auto c = sampler.choose(weighed(sampler, p, n),
+                                              std::min(float(i) * 1e-3f, 0x1.fffffep-1f));
                 ASSERT_TRUE(c);
-                EXPECT_EQ(c->probability, sampler.probability(c->kind, c->index, p, n))
+                EXPECT_EQ(c->probability,
+                          sampler.probability(c->kind, c->index, weighed(sampler, p, n)))
                     << lights.name << " at " << p;
             }
         }
@@ -171,7 +182,8 @@ TEST(LightSampler, every_light_that_reaches_the_point_can_be_chosen)
         for (const auto& [p, n] : places) {
             for (std::uint32_t i = 0; i < lights.lamps.size(); ++i) {
                 if (sample_lamp(lights.lamps[i], p, {0.5f, 0.5f})) {
-                    EXPECT_GT(sampler.probability(LightKind::Lamp, i, p, n), 0.0f)
+                    EXPECT_GT(sampler.probability(LightKind::Lamp, i, weighed(sampler, p, n)),
+                              0.0f)
                         << lights.name << " at " << p << ", lamp " << i;
                 }
             }
@@ -184,15 +196,16 @@ TEST(LightSampler, black_lights_are_never_chosen)
     const Lights lights = scenes()[0];
     const LightSampler sampler = lights.sampler();
     for (const auto& [p, n] : places) {
-        EXPECT_EQ(sampler.probability(LightKind::Lamp, 4, p, n), 0.0f);
-        EXPECT_EQ(sampler.probability(LightKind::Triangle, 0, p, n), 0.0f);
+        EXPECT_EQ(sampler.probability(LightKind::Lamp, 4, weighed(sampler, p, n)), 0.0f);
+        EXPECT_EQ(sampler.probability(LightKind::Triangle, 0, weighed(sampler, p, n)), 0.0f);
     }
     const LightSampler nothing(std::span(&lights.lamps[4], 1), {}, Environment());
     EXPECT_TRUE(nothing.empty());
-    EXPECT_FALSE(nothing.choose({0, 0, 0}, {0, 0, 1}, 0.5f));
-    EXPECT_EQ(nothing.probability(LightKind::Lamp, 0, {0, 0, 0}, {0, 0, 1}), 0.0f);
-    EXPECT_FALSE(LightSampler().choose({0, 0, 0}, {0, 0, 1}, 0.5f));
-    EXPECT_EQ(LightSampler().probability(LightKind::Environment, 0, {}, {}), 0.0f);
+    EXPECT_FALSE(nothing.choose(weighed(nothing, {0, 0, 0}, {0, 0, 1}), 0.5f));
+    EXPECT_EQ(nothing.probability(LightKind::Lamp, 0, weighed(nothing, {0, 0, 0}, {0, 0, 1})),
+              0.0f);
+    EXPECT_FALSE(LightSampler().choose(LitPoint(), 0.5f));
+    EXPECT_EQ(LightSampler().probability(LightKind::Environment, 0, LitPoint()), 0.0f);
 }
 
 TEST(LightSampler, prefers_the_lamp_that_gives_more)
@@ -201,7 +214,7 @@ TEST(LightSampler, prefers_the_lamp_that_gives_more)
                                      lamp_at(point, {0, 0, -1})};
     const LightSampler sampler(lamps, {}, Environment());
     const auto probability = [&](std::uint32_t i) {
-        return sampler.probability(LightKind::Lamp, i, {0, 0, 0}, {0, 0, 1});
+        return sampler.probability(LightKind::Lamp, i, weighed(sampler, {0, 0, 0}, {0, 0, 1}));
     };
     EXPECT_GT(probability(0), 0.9f);
     EXPECT_GT(probability(1), probability(2));  // the third is behind the surface
@@ -209,7 +222,8 @@ TEST(LightSampler, prefers_the_lamp_that_gives_more)
     const std::vector<Lamp> turned = {lamp_at(point, {0, 0, 5}), lamp_at(area, {0, 0, -5}),
                                       lamp_at(spot, {20, 0, 5})};
     const LightSampler all_sides(turned, {}, Environment());
-    EXPECT_GT(all_sides.probability(LightKind::Lamp, 0, {0, 0, 0}, {0, 0, 0}), 0.95f);
+    EXPECT_GT(all_sides.probability(LightKind::Lamp, 0, weighed(all_sides, {0, 0, 0}, {0, 0, 0})),
+              0.95f);
 }
 
 TEST(LightSampler, a_bright_triangle_among_many_is_found)
@@ -217,7 +231,9 @@ TEST(LightSampler, a_bright_triangle_among_many_is_found)
     std::vector<EmissiveTriangle> triangles = random_triangles(1000, true);
     triangles[500].radiance = 1e6f;
     const LightSampler sampler({}, triangles, Environment());
-    EXPECT_GT(sampler.probability(LightKind::Triangle, 500, {0, 0, 0}, {0, 0, 0}), 0.9f);
+    EXPECT_GT(
+        sampler.probability(LightKind::Triangle, 500, weighed(sampler, {0, 0, 0}, {0, 0, 0})),
+        0.9f);
 }
 
 TEST(LightSampler, broken_points_still_get_a_light)
@@ -225,7 +241,7 @@ TEST(LightSampler, broken_points_still_get_a_light)
     const Lights lights = scenes()[0];
     const LightSampler sampler = lights.sampler();
     const V3f broken(NAN, 0.0f, INFINITY);
-    const auto choice = sampler.choose(broken, {0, 0, 1}, 0.7f);
+    const auto choice = sampler.choose(weighed(sampler, broken, {0, 0, 1}), 0.7f);
     ASSERT_TRUE(choice);
     EXPECT_GT(choice->probability, 0.0f);
 }

@@ -41,21 +41,22 @@ TEST(Scene, sampled_emitter_is_met_by_a_ray_with_the_same_density)
     data.world.color = Color3f(0.5f);
     const Scene scene(data, V3d(0.0));
     const V3f p(0.3f, -0.2f, 0.0f);
-    const V3f n(0, 0, -1);
+    LitPoint point;
+    scene.weigh_lights(p, V3f(0, 0, -1), point);
     int emitters = 0;
     for (std::uint32_t i = 0; i < 256; ++i) {
         const auto u = sobol_4d(1, i, 0);
-        const auto light = scene.sample_light(p, n, u[2], V2f(u[0], u[1]));
+        const auto light = scene.sample_light(point, u[2], V2f(u[0], u[1]));
         ASSERT_TRUE(light);
         const auto hit = scene.intersect({.origin = p, .direction = light->wi});
         if (std::isfinite(light->distance)) {
             ++emitters;
             ASSERT_TRUE(hit);
-            EXPECT_NEAR(scene.emitter_pdf(*hit, p, n), light->pdf, 1e-3f * light->pdf);
+            EXPECT_NEAR(scene.emitter_pdf(*hit, point), light->pdf, 1e-3f * light->pdf);
             EXPECT_EQ(light->radiance, Color3f(3.0f));
             EXPECT_NEAR(hit->t, light->distance, 1e-3f);
         } else {
-            EXPECT_NEAR(scene.environment_pdf(light->wi, p, n), light->pdf, 1e-4f * light->pdf);
+            EXPECT_NEAR(scene.environment_pdf(light->wi, point), light->pdf, 1e-4f * light->pdf);
         }
     }
     EXPECT_GT(emitters, 30);
@@ -67,11 +68,13 @@ TEST(Scene, sampled_lights_estimate_the_irradiance_of_a_square)
     const SceneData data = shining_square(V3d(0, 0, -2));
     const Scene scene(data, V3d(0.0));
     const V3f n(0, 0, -1);
+    LitPoint point;
+    scene.weigh_lights(V3f(0.0f), n, point);
     double sum = 0.0;
     constexpr std::uint32_t count = 1 << 14;
     for (std::uint32_t i = 0; i < count; ++i) {
         const auto u = sobol_4d(2, i, 0);
-        const auto light = scene.sample_light(V3f(0.0f), n, u[2], V2f(u[0], u[1]));
+        const auto light = scene.sample_light(point, u[2], V2f(u[0], u[1]));
         ASSERT_TRUE(light);
         sum += static_cast<double>(light->radiance.x * n.dot(light->wi) / light->pdf) / count;
     }
@@ -103,7 +106,9 @@ TEST(Scene, scene_without_anything_is_dark_and_empty)
     const Scene scene(data, V3d(0.0));
     EXPECT_FALSE(scene.intersect({}));
     EXPECT_EQ(scene.background(V3f(0, 0, 1)), Color3f(0.0f));
-    EXPECT_FALSE(scene.sample_light(V3f(0.0f), V3f(0, 0, 1), 0.5f, V2f(0.5f)));
+    LitPoint point;
+    scene.weigh_lights(V3f(0.0f), V3f(0, 0, 1), point);
+    EXPECT_FALSE(scene.sample_light(point, 0.5f, V2f(0.5f)));
     EXPECT_EQ(scene.transmittance({}), Color3f(1.0f));
 }
 

@@ -108,7 +108,8 @@ TEST(Material, inputs_are_read_from_textures_and_attributes)
     };
     EXPECT_EQ(albedo(from_texture()), orange);
     EXPECT_EQ(albedo(from_texture(Channel::Alpha)), Color3f(0.3f));
-    EXPECT_LT((albedo(from_texture(Channel::Average)) - Color3f(1.6f / 3.0f)).length(), 1e-6f);
+    EXPECT_LT((albedo(from_texture(Channel::Luminance)) - Color3f(luminance(orange))).length(),
+              1e-6f);
     EXPECT_EQ(albedo({.color_attribute = 0}), Color3f(0.1f, 0.2f, 0.3f));
 }
 

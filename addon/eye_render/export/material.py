@@ -153,7 +153,7 @@ class _MaterialReader:
             return _as_color(value) if is_color else _as_number(value)
         output = source(socket)
         node = output.node
-        channel = "ALPHA" if output.identifier == "Alpha" else "COLOR" if is_color else "AVERAGE"
+        channel = "ALPHA" if output.identifier == "Alpha" else "COLOR" if is_color else "LUMINANCE"
         if node.bl_idname == "ShaderNodeTexImage":
             return self._read_image(node, channel, is_color)
         if node.bl_idname == "ShaderNodeVertexColor":

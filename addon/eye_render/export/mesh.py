@@ -20,17 +20,12 @@ def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int |
     mesh.loop_triangles.foreach_get("loops", corners.ravel())
     triangles = compat.corner_vertices(mesh)[corners]
     positions = compat.vertex_positions(mesh)
-    normals = _normals(mesh, corners)
-    if compat.normals_domain(mesh) == "CORNER" and len(normals) == len(positions):
-        # The core tells normals of corners from those of vertices by their number: one vertex
-        # more, that no triangle uses, makes it differ.
-        positions = np.concatenate([positions, positions[:1]])
     active_uv, uvs = _uvs(mesh, corners, core_scene.uv_layers_read(material_ids))
     return core_scene.add_mesh(
         mesh.name,
         positions,
         triangles,
-        normals=normals,
+        normals=_normals(mesh, corners),
         uvs=uvs,
         colors=_colors(mesh, corners, triangles, core_scene.color_attributes_read(material_ids)),
         material_slots=_material_slots(mesh, triangle_count),
@@ -47,7 +42,7 @@ def _normals(mesh: bpy.types.Mesh, corners: np.ndarray) -> np.ndarray | None:
         normals = np.empty((len(mesh.vertices), 3), np.float32)
         mesh.vertex_normals.foreach_get("vector", normals.ravel())
         return normals
-    return compat.corner_normals(mesh)[corners.ravel()]
+    return compat.corner_normals(mesh)[corners]
 
 
 def _uvs(
