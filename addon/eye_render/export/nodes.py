@@ -35,7 +35,7 @@ def find_input(node: bpy.types.Node, identifiers: tuple[str, ...]) -> bpy.types.
 def own_value(socket: bpy.types.NodeSocket) -> float | tuple[float, float, float]:
     """The value set on the socket itself: a number, or linear RGB."""
     value = socket.default_value
-    return value if isinstance(value, (int, float)) else tuple(value)[:3]
+    return value if isinstance(value, int | float) else tuple(value)[:3]
 
 
 def constant(socket: bpy.types.NodeSocket) -> float | tuple[float, float, float] | None:
