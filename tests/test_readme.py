@@ -48,9 +48,9 @@ def test_the_batch_command_renders(tmp_path):
     if "BLENDER_USER_SCRIPTS" not in os.environ:
         pytest.skip("the add-on is not where Blender looks; `run test` sees to that")
     save = """
-import bpy
+import os, bpy
 bpy.context.scene.render.resolution_x = bpy.context.scene.render.resolution_y = 32
-bpy.ops.wm.save_as_mainfile(filepath="scene.blend")
+bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath("scene.blend"))
 """
     subprocess.run(
         [BLENDER, "-b", "--factory-startup", "--python-expr", save], cwd=tmp_path, check=True
