@@ -67,7 +67,15 @@ def export_instances(
         if mesh_id is None:
             continue
         for worn, matrices in geometry.matrices.items():
-            core_scene.add_instances(mesh_id, _as_array(matrices), materials=list(worn))
+            world_from_object = _as_array(matrices)
+            is_finite = np.isfinite(world_from_object).all(axis=(1, 2))
+            if not is_finite.all():
+                count = np.count_nonzero(~is_finite)
+                warn(
+                    f"Mesh '{geometry.mesh.name}' is left out {count} times: "
+                    "the place or size of the object is not a finite number"
+                )
+            core_scene.add_instances(mesh_id, world_from_object[is_finite], materials=list(worn))
 
 
 def _as_array(matrices: list[Matrix]) -> np.ndarray:

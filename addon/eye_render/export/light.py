@@ -20,6 +20,9 @@ def export_light(
     if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
         warn(f"Light '{light.name}' is left out: its kind is not one that Blender knows")
         return
+    if not np.isfinite(np.array(world_from_object)).all():
+        warn(f"Light '{light.name}' is left out: its place or size is not a finite number")
+        return
     shape = _shape(light, world_from_object.to_scale())
     # Unit axes: the sizes carry the scale, and a mirrored lamp keeps its direction.
     world_from_light = world_from_object.to_3x3().normalized().to_4x4()
