@@ -64,7 +64,7 @@ void bind_eye(py::module_& m)
                  return std::shared_ptr<EyeModel>(
                      make_eye(EyeDescription{.model = named_of("model", model, eye_model_kinds),
                                              .rx = prescription_from_python(rx),
-                                             .rx_plane = rx_plane_named(rx_plane),
+                                             .rx_plane = named_of("rx_plane", rx_plane, rx_planes),
                                              .vertex_mm = vertex_mm,
                                              .pupil_mm = pupil_mm,
                                              .accommodation_d = accommodation_d}));

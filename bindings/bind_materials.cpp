@@ -43,15 +43,11 @@ TextureOptions texture_options(const std::string& colorspace,
                 {{"Linear", Interpolation::Linear}, {"Closest", Interpolation::Closest}})};
 }
 
-MaterialInput input_from(SceneBuilder& scene, const py::handle& value)
+MaterialInput input_from(SceneBuilder& scene, const std::string& name, const py::handle& value)
 {
     MaterialInput input;
     if (py::isinstance<ImageInput>(value)) {
         const auto& image = value.cast<const ImageInput&>();
-        if (image.texture < 0 || image.texture >= scene.textures().size()) {
-            throw std::invalid_argument("texture " + std::to_string(image.texture) +
-                                        " does not exist");
-        }
         input.texture = image.texture;
         input.uv_layer = scene.uv_layer(image.uv_layer);
         input.channel = image.channel;
@@ -59,10 +55,10 @@ MaterialInput input_from(SceneBuilder& scene, const py::handle& value)
         const auto& attribute = value.cast<const AttributeInput&>();
         input.color_attribute = scene.color_attribute(attribute.name);
         input.channel = attribute.channel;
-    } else if (py::isinstance<py::float_>(value) || py::isinstance<py::int_>(value)) {
-        input.constant = Color3f(value.cast<float>());
+    } else if (const auto number = number_from(value)) {
+        input.constant = Color3f(static_cast<float>(*number));
     } else {
-        input.constant = color_from(value);
+        input.constant = color_from(name, value);
     }
     return input;
 }
@@ -97,7 +93,7 @@ std::size_t add_material(SceneBuilder& scene,
              {"emission_strength", &Material::emission_strength},
              {"normal_map", &Material::normal_map},
              {"normal_strength", &Material::normal_strength}});
-        material.*member = input_from(scene, value);
+        material.*member = input_from(scene, key.cast<std::string>(), value);
     }
     return scene.add_material(std::move(material));
 }
@@ -122,10 +118,14 @@ int add_pixels(SceneBuilder& scene,
 
 }  // namespace
 
-Color3f color_from(const py::handle& value)
+Color3f color_from(const std::string& name, const py::handle& value)
 {
-    const auto c = value.cast<std::array<float, 3>>();
-    return {c[0], c[1], c[2]};
+    try {
+        const auto c = value.cast<std::array<float, 3>>();
+        return {c[0], c[1], c[2]};
+    } catch (const py::cast_error&) {
+        throw std::invalid_argument(name + " is " + text_of(value) + "; expected three numbers");
+    }
 }
 
 void bind_materials(py::module_& m, SceneClass& scene)

@@ -4,6 +4,7 @@
 #include "bind_values.h"
 #include "module.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -27,25 +28,28 @@ Observer make_observer(const std::string& model,
     Observer observer;
     observer.model = named_of("model", model, eye_model_kinds);
     observer.rx = prescription_from_python(rx);
-    observer.rx_plane = rx_plane_named(rx_plane);
+    observer.rx_plane = named_of("rx_plane", rx_plane, rx_planes);
     observer.vertex_mm = vertex_mm;
     observer.age_years = age_years;
-    if (py::isinstance<py::str>(pupil)) {
-        static_cast<void>(
-            named<int>("pupil", pupil.cast<std::string>(), {{"auto", 0}, {"a number of mm", 0}}));
-    } else {
-        observer.pupil_mm = pupil.cast<double>();
+    if (const auto diameter_mm = number_from(pupil)) {
+        observer.pupil_mm = *diameter_mm;
+    } else if (!py::isinstance<py::str>(pupil) || pupil.cast<std::string>() != "auto") {
+        throw std::invalid_argument("pupil is " + text_of(pupil) +
+                                    "; expected 'auto' or a number of mm");
     }
     observer.pupil_formula = named_of("pupil_formula", pupil_formula, pupil_formulas);
     observer.cd_m2_per_unit = cd_m2_per_unit;
     observer.luminance_sigma = luminance_sigma;
-    if (py::isinstance<py::str>(focus)) {
+    if (const auto distance_m = number_from(focus)) {
+        observer.focus = FocusMode::Distance;
+        observer.focus_distance_m = *distance_m;
+    } else if (py::isinstance<py::str>(focus)) {
         observer.focus =
             named<FocusMode>("focus", focus.cast<std::string>(),
                              {{"relaxed", FocusMode::Relaxed}, {"center", FocusMode::Center}});
     } else {
-        observer.focus = FocusMode::Distance;
-        observer.focus_distance_m = focus.cast<double>();
+        throw std::invalid_argument("focus is " + text_of(focus) +
+                                    "; expected 'relaxed', 'center' or a number of metres");
     }
     return observer;
 }
@@ -61,8 +65,10 @@ RenderSettings make_settings(std::uint32_t samples,
                              double filter_width_px)
 {
     RenderSettings settings;
-    settings.samples = sample_range ? SampleRange{(*sample_range)[0], (*sample_range)[1]}
-                                    : SampleRange{0, samples};
+    settings.samples = samples;
+    if (sample_range) {
+        settings.range = SampleRange{(*sample_range)[0], (*sample_range)[1]};
+    }
     settings.max_bounces = max_bounces;
     settings.seed = seed;
     settings.pattern = named_of("pattern", pattern, pupil_pattern_kinds);
@@ -166,7 +172,14 @@ void bind_render(py::module_& m)
         .def(
             "wait",
             [](Engine& engine, double timeout_s) {
-                return engine.session().wait(std::chrono::duration<double>(timeout_s));
+                // A longer wait would overflow the clock.
+                constexpr double a_year_s = 3.2e7;
+                if (!(timeout_s >= 0.0)) {
+                    throw std::invalid_argument("timeout_s is " + std::to_string(timeout_s) +
+                                                " s; expected 0 or more");
+                }
+                return engine.session().wait(
+                    std::chrono::duration<double>(std::min(timeout_s, a_year_s)));
             },
             "timeout_s"_a, py::call_guard<py::gil_scoped_release>(),
             "True when the render has ended.")

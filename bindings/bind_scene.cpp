@@ -107,7 +107,7 @@ void add_light(SceneBuilder& scene,
                                           {"SUN", LampKind::Sun},
                                           {"SPOT", LampKind::Spot},
                                           {"AREA", LampKind::Area}});
-    lamp.settings.color = color_from(color);
+    lamp.settings.color = color_from("color of light '" + name + "'", color);
     for (const auto& [key, value] : settings) {
         set_lamp_member(lamp.settings, key.cast<std::string>(), value);
     }
@@ -121,7 +121,7 @@ void set_world(SceneBuilder& scene,
                const std::optional<Array<float>>& texture_from_world)
 {
     EnvironmentSettings world;
-    world.color = color_from(color);
+    world.color = color_from("world color", color);
     world.strength = strength;
     world.texture = texture.value_or(EnvironmentSettings::none);
     if (texture_from_world) {

@@ -11,7 +11,7 @@ using SceneClass = py::class_<SceneBuilder, std::shared_ptr<SceneBuilder>>;
 
 void bind_materials(py::module_& m, SceneClass& scene);
 
-// Three numbers, linear Rec. 709.
-[[nodiscard]] Color3f color_from(const py::handle& value);
+// Three numbers, linear Rec. 709; `name` is what they are for, as errors say it.
+[[nodiscard]] Color3f color_from(const std::string& name, const py::handle& value);
 
 }  // namespace eye_render

@@ -36,19 +36,17 @@ template <typename Table>
     throw std::invalid_argument(what + " is '" + name + "'; expected one of " + names);
 }
 
-[[nodiscard]] inline RxPlane rx_plane_named(const std::string& name)
-{
-    return named<RxPlane>("rx_plane", name,
-                          {{"spectacle", RxPlane::Spectacle},
-                           {"cornea", RxPlane::Cornea},
-                           {"entrance_pupil", RxPlane::EntrancePupil}});
-}
-
 // A Prescription, or a text to be parsed.
 [[nodiscard]] inline Prescription prescription_from_python(const py::object& rx)
 {
-    return py::isinstance<py::str>(rx) ? parse_prescription(rx.cast<std::string>())
-                                       : rx.cast<Prescription>();
+    if (py::isinstance<Prescription>(rx)) {
+        return rx.cast<Prescription>();
+    }
+    if (!py::isinstance<py::str>(rx)) {
+        throw std::invalid_argument("rx is " + text_of(rx) +
+                                    "; expected a Prescription or a text such as '-2.00DS'");
+    }
+    return parse_prescription(rx.cast<std::string>());
 }
 
 }  // namespace eye_render

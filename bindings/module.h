@@ -9,6 +9,7 @@
 #include <pybind11/stl.h>
 
 #include <cstring>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -74,6 +75,20 @@ template <typename T, typename Number>
                                     "; expected (4, 4)");
     }
     return matrix_from(array.data());
+}
+
+[[nodiscard]] inline std::string text_of(const py::handle& value)
+{
+    return py::repr(value).cast<std::string>();
+}
+
+// A Python or NumPy number; nothing for anything else, texts and arrays included.
+[[nodiscard]] inline std::optional<double> number_from(const py::handle& value)
+{
+    if (PySequence_Check(value.ptr()) != 0 || !py::hasattr(value, "__float__")) {
+        return std::nullopt;
+    }
+    return py::float_(py::reinterpret_borrow<py::object>(value)).cast<double>();
 }
 
 // The value that belongs to a name, or an error that lists the names.

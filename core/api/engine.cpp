@@ -7,15 +7,28 @@ namespace eye_render {
 
 namespace {
 
+std::string range_text(const SampleRange& range)
+{
+    return std::to_string(range.first) + ":" + std::to_string(range.last);
+}
+
+SampleRange samples_of(const RenderSettings& settings)
+{
+    return settings.range.value_or(SampleRange{.first = 0, .last = settings.samples});
+}
+
 void require_valid(const RenderSettings& settings)
 {
-    if (settings.samples.last <= settings.samples.first) {
-        throw std::invalid_argument("sample range is " + std::to_string(settings.samples.first) +
-                                    ":" + std::to_string(settings.samples.last) +
-                                    "; expected FIRST:LAST with FIRST below LAST");
-    }
     // 2^24 samples a pixel: the last number of the Sobol index that still is stratified in float.
-    require_range("samples", settings.samples.last, 1, 1 << 24, "");
+    require_range("samples", settings.samples, 1, 1 << 24, "");
+    if (settings.range) {
+        const SampleRange& range = *settings.range;
+        if (range.last <= range.first) {
+            throw std::invalid_argument("sample range is " + range_text(range) +
+                                        "; expected FIRST:LAST with FIRST below LAST");
+        }
+        require_range("last sample of the range", range.last, 1, 1 << 24, "");
+    }
     require_range("max_bounces", settings.max_bounces, 0, 1024, "");
     require_range("threads", settings.threads, 0, 4096, "");
     if (settings.passes.empty()) {
@@ -39,28 +52,30 @@ void require_valid(const Observer& observer)
 Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
                const Observer& observer,
                const RenderSettings& settings)
-    : scene_data_(std::move(scene)), observer_(observer), settings_(settings)
+    : scene_data_(std::move(scene)), lease_(scene_data_->lease()), observer_(observer),
+      settings_(settings)
 {
     require_valid(settings);
     require_valid(observer);
     const CameraFrame& frame = scene_data_->camera();
     const SceneData& data = scene_data_->data();
+    plan_ = make_plan(data, settings.passes);
 
     RenderJob job;
     job.filter = PixelFilter(settings.filter_width_px);
     job.scene = std::make_shared<Scene>(data, frame.position_world);
     job.frame = frame;
-    eye_ = make_observer_eye(observer, job.scene, frame);
-    plan_ = make_plan(data, frame, *eye_.model, settings.passes);
+    eye_ = make_observer_eye(observer, job.scene, frame, settings.threads);
+    plan_lens(plan_, data, frame, *eye_.model);
     job.eye = eye_.model;
-    job.pattern = make_pupil_pattern(settings.pattern, settings.samples.last);
+    job.pattern = make_pupil_pattern(settings.pattern, settings.samples);
     job.lens = plan_.lens;
     job.integrator = {.max_bounces = settings.max_bounces,
                       .film_transparent = settings.film_transparent,
                       .first_surface = plan_.first_surface};
     job.seed = settings.seed;
     session_ =
-        std::make_unique<Session>(std::move(job), SessionSettings{.samples = settings.samples,
+        std::make_unique<Session>(std::move(job), SessionSettings{.samples = samples_of(settings),
                                                                   .passes = settings.passes,
                                                                   .chief_rays = plan_.chief_ray,
                                                                   .threads = settings.threads});
@@ -91,20 +106,28 @@ std::map<std::string, std::string> Engine::metadata() const
 {
     std::map<std::string, std::string> entries{
         {"rx", format_prescription(observer_.rx)},
+        {"rx_plane", std::string(to_string(observer_.rx_plane))},
         {"model", std::string(to_string(observer_.model))},
         {"pupil_mm", number_text(eye_.pupil_mm)},
         {"accommodation_d", number_text(eye_.accommodation_d)},
         {"age_years", number_text(observer_.age_years)},
-        {"samples",
-         std::to_string(settings_.samples.first) + ":" + std::to_string(settings_.samples.last)},
+        {"samples", range_text(samples_of(settings_))},
         {"seed", std::to_string(settings_.seed)},
+        {"max_bounces", std::to_string(settings_.max_bounces)},
+        {"filter_width_px", number_text(settings_.filter_width_px)},
         {"pupil_pattern", std::string(to_string(settings_.pattern))},
     };
+    if (observer_.rx_plane == RxPlane::Spectacle) {
+        entries["vertex_mm"] = number_text(observer_.vertex_mm);
+    }
     if (!observer_.pupil_mm && observer_.model != EyeModelKind::Pinhole) {
         entries["pupil_formula"] = to_string(observer_.pupil_formula);
         entries["luminance_cd_m2"] = number_text(eye_.luminance_cd_m2);
+        entries["cd_m2_per_unit"] = number_text(observer_.cd_m2_per_unit);
+        entries["luminance_sigma"] = number_text(observer_.luminance_sigma);
         entries["field_area_deg2"] = number_text(eye_.field_area_deg2);
     }
+    entries["focus"] = to_string(observer_.focus);
     if (observer_.focus != FocusMode::Relaxed) {
         entries["focus_m"] = number_text(eye_.focus_distance_m);
     }

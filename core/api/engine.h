@@ -18,7 +18,7 @@ namespace eye_render {
 
 class Engine {
 public:
-    // Checks everything, builds everything, starts nothing. The scene must not change while the
+    // Checks everything, builds everything, starts nothing. The scene refuses changes while the
     // engine lives. Throws std::invalid_argument for a number out of range and std::runtime_error
     // when memory does not suffice.
     Engine(std::shared_ptr<const SceneBuilder> scene,
@@ -40,6 +40,7 @@ public:
 
 private:
     std::shared_ptr<const SceneBuilder> scene_data_;
+    std::shared_ptr<const void> lease_;
     Observer observer_;
     RenderSettings settings_;
     ObserverEye eye_;

@@ -9,11 +9,15 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace eye_render {
 
 enum class FocusMode { Relaxed, Distance, Center };
+
+// "relaxed", "distance", "center".
+[[nodiscard]] std::string_view to_string(FocusMode mode);
 
 struct Observer {
     EyeModelKind model = EyeModelKind::Paraxial;
@@ -30,7 +34,8 @@ struct Observer {
 };
 
 struct RenderSettings {
-    SampleRange samples{.first = 0, .last = 64};
+    std::uint32_t samples = 64;        // of the whole picture, which shapes the circinate pattern
+    std::optional<SampleRange> range;  // of these, those to render; nothing: all
     int max_bounces = 8;
     std::uint64_t seed = 0;
     PupilPatternKind pattern = PupilPatternKind::Sobol;

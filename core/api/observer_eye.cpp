@@ -14,8 +14,9 @@ namespace eye_render {
 namespace {
 
 // The picture from which the pupil takes its luminance: coarse, since only its mean is wanted. 64
-// pixels by 32 samples estimate the mean of a hall to about 1 %, which moves the pupil by 0.01 mm.
-constexpr int luminance_width_px = 64;
+// pixels along the longer side by 32 samples estimate the mean of a hall to about 1 %, which moves
+// the pupil by 0.01 mm.
+constexpr int luminance_size_px = 64;
 constexpr std::uint32_t luminance_samples = 32;
 constexpr int luminance_bounces = 4;
 
@@ -52,7 +53,9 @@ void accommodate(ObserverEye& eye, const Observer& observer)
     const double amplitude_d = accommodation_amplitude_d(observer.age_years);
     const double wanted_d = 1.0 / eye.focus_distance_m + rx.mean_d();
     eye.accommodation_d = best_accommodation_d(rx, 1.0 / eye.focus_distance_m, amplitude_d);
-    const std::string object = "at " + number_text(eye.focus_distance_m) + " m";
+    const std::string object = std::isfinite(eye.focus_distance_m)
+                                   ? "at " + number_text(eye.focus_distance_m) + " m"
+                                   : "far away";
     if (wanted_d > amplitude_d) {
         eye.notes.push_back("focus: seeing sharply " + object + " takes " + number_text(wanted_d) +
                             " D of accommodation; at " + number_text(observer.age_years) +
@@ -68,21 +71,26 @@ void accommodate(ObserverEye& eye, const Observer& observer)
 // of it is rendered.
 std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
                                     const CameraFrame& full_frame,
+                                    int threads,
                                     std::size_t& width)
 {
     RenderJob job;
     job.scene = scene;
     job.frame = full_frame;
     CameraFrame& frame = job.frame;
-    frame.width_px = std::min(full_frame.width_px, luminance_width_px);
-    frame.height_px = std::max(1, full_frame.height_px * frame.width_px / full_frame.width_px);
+    const int longer_px = std::max(full_frame.width_px, full_frame.height_px);
+    const int size_px = std::min(longer_px, luminance_size_px);
+    frame.width_px = std::max(1, full_frame.width_px * size_px / longer_px);
+    frame.height_px = std::max(1, full_frame.height_px * size_px / longer_px);
     frame.border = {0, 0, frame.width_px, frame.height_px};
     job.eye = make_eye(EyeDescription{.model = EyeModelKind::Pinhole});
     job.lens = false;
     job.integrator.max_bounces = luminance_bounces;
     Film film(frame.border, {});
     const std::atomic<bool> never_cancelled{false};
-    trace_samples(job, {.first = 0, .last = luminance_samples}, film, never_cancelled);
+    on_threads(threads, [&] {
+        trace_samples(job, {.first = 0, .last = luminance_samples}, film, never_cancelled);
+    });
     const Pass combined[] = {Pass::Combined};
     const PassImage image = film.snapshot(combined).front();
     std::vector<Color3f> radiance;
@@ -96,14 +104,15 @@ std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
 void adapt_pupil(ObserverEye& eye,
                  const Observer& observer,
                  const std::shared_ptr<const Scene>& scene,
-                 const CameraFrame& frame)
+                 const CameraFrame& frame,
+                 int threads)
 {
     if (observer.pupil_mm) {
         eye.pupil_mm = *observer.pupil_mm;
         return;
     }
     std::size_t width = 0;
-    const std::vector<Color3f> radiance = field_radiance(scene, frame, width);
+    const std::vector<Color3f> radiance = field_radiance(scene, frame, threads, width);
     const bool as_in_paper = observer.pupil_formula == PupilFormula::Paper;
     eye.luminance_cd_m2 = field_luminance_cd_m2(
         radiance, width,
@@ -126,9 +135,20 @@ void adapt_pupil(ObserverEye& eye,
 
 }  // namespace
 
+std::string_view to_string(FocusMode mode)
+{
+    switch (mode) {
+    case FocusMode::Relaxed: return "relaxed";
+    case FocusMode::Distance: return "distance";
+    case FocusMode::Center: return "center";
+    }
+    return "";
+}
+
 ObserverEye make_observer_eye(const Observer& observer,
                               const std::shared_ptr<const Scene>& scene,
-                              const CameraFrame& frame)
+                              const CameraFrame& frame,
+                              int threads)
 {
     ObserverEye eye;
     eye.focus_distance_m = focus_distance_m(observer, *scene, frame);
@@ -137,7 +157,7 @@ ObserverEye make_observer_eye(const Observer& observer,
         return eye;
     }
     accommodate(eye, observer);
-    adapt_pupil(eye, observer, scene, frame);
+    adapt_pupil(eye, observer, scene, frame, threads);
     EyeDescription description = described(observer);
     description.pupil_mm = eye.pupil_mm;
     description.accommodation_d = eye.accommodation_d;

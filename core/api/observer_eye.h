@@ -24,9 +24,11 @@ struct ObserverEye {
     std::vector<std::string> notes;  // clamps that acted, in sentences
 };
 
-// Looks along the axis for FocusMode::Center, and traces a small picture for an automatic pupil.
+// Looks along the axis for FocusMode::Center, and traces a small picture for an automatic pupil,
+// on at most `threads` threads (0: all the processor has).
 [[nodiscard]] ObserverEye make_observer_eye(const Observer& observer,
                                             const std::shared_ptr<const Scene>& scene,
-                                            const CameraFrame& frame);
+                                            const CameraFrame& frame,
+                                            int threads);
 
 }  // namespace eye_render

@@ -31,6 +31,14 @@ void require_finite(const std::string& what, const M44d& matrix)
     }
 }
 
+// `none` is no reference.
+void require_layer(const std::string& what, int number, std::size_t count)
+{
+    if (number != MaterialInput::none) {
+        require_index(what, static_cast<std::size_t>(number), count);
+    }
+}
+
 int intern(std::vector<std::string>& names, const std::string& name)
 {
     const auto found = std::ranges::find(names, name);
@@ -98,8 +106,24 @@ std::size_t drop_broken_triangles(Mesh& mesh)
 
 }  // namespace
 
+void SceneBuilder::require_unleased() const
+{
+    if (lease_.use_count() > 1) {
+        throw std::invalid_argument(
+            "the scene cannot change while a session of it exists; let go of the session, or make "
+            "another scene");
+    }
+}
+
+TextureSet& SceneBuilder::textures()
+{
+    require_unleased();
+    return data_.textures;
+}
+
 std::size_t SceneBuilder::add_mesh(Mesh mesh)
 {
+    require_unleased();
     validate(mesh);
     const std::size_t dropped = drop_broken_triangles(mesh);
     if (dropped > 0) {
@@ -112,12 +136,23 @@ std::size_t SceneBuilder::add_mesh(Mesh mesh)
 
 std::size_t SceneBuilder::add_material(Material material)
 {
+    require_unleased();
+    for (const MaterialInput* input : inputs_of(material)) {
+        require_layer("texture", input->texture, static_cast<std::size_t>(data_.textures.size()));
+        if (input->texture != MaterialInput::none) {
+            require_index("UV layer", static_cast<std::size_t>(input->uv_layer),
+                          data_.uv_layer_names.size());
+        }
+        require_layer("colour attribute", input->color_attribute,
+                      data_.color_attribute_names.size());
+    }
     data_.materials.push_back(std::move(material));
     return data_.materials.size() - 1;
 }
 
 void SceneBuilder::add_instance(InstanceData instance)
 {
+    require_unleased();
     require_index("mesh", instance.mesh, data_.meshes.size());
     require_finite("world_from_object of mesh '" + data_.meshes[instance.mesh].name + "'",
                    instance.world_from_object);
@@ -129,6 +164,7 @@ void SceneBuilder::add_instance(InstanceData instance)
 
 void SceneBuilder::add_lamp(const LampData& lamp)
 {
+    require_unleased();
     require_finite("world_from_light of lamp '" + lamp.name + "'", lamp.world_from_light);
     try {
         static_cast<void>(make_lamp(lamp.settings));  // for its checks
@@ -140,7 +176,12 @@ void SceneBuilder::add_lamp(const LampData& lamp)
 
 void SceneBuilder::set_world(const EnvironmentSettings& world)
 {
-    require_range("world strength", static_cast<double>(world.strength), 0.0, 1e20, "");
+    require_unleased();
+    static_cast<void>(Environment({.color = world.color,
+                                   .strength = world.strength,
+                                   .texture = EnvironmentSettings::none,
+                                   .texture_from_world = world.texture_from_world},
+                                  nullptr));  // for its checks
     if (world.texture != EnvironmentSettings::none) {
         require_index("texture", static_cast<std::size_t>(world.texture),
                       static_cast<std::size_t>(data_.textures.size()));
@@ -150,6 +191,18 @@ void SceneBuilder::set_world(const EnvironmentSettings& world)
 
 void SceneBuilder::set_camera(const CameraFrame& frame)
 {
+    require_unleased();
+    const V3d axes[] = {frame.axis_x, frame.axis_y, frame.axis_z};
+    // Also refuses NaN. A sheared parent may tilt the axes against each other, but not flatten
+    // them.
+    if (!(std::abs(axes[0].dot(axes[1].cross(axes[2]))) > 1e-6)) {
+        throw std::invalid_argument(
+            "the camera's axes span no space; expected an invertible matrix");
+    }
+    for (const double coordinate :
+         {frame.position_world.x, frame.position_world.y, frame.position_world.z}) {
+        require_range("camera position", coordinate, -1e30, 1e30, "units");
+    }
     require_range("resolution x", frame.width_px, 1, 65536, "px");
     require_range("resolution y", frame.height_px, 1, 65536, "px");
     require_range("border x0", frame.border.x0, 0, frame.width_px - 1, "px");

@@ -6,6 +6,7 @@
 #include "render/camera.h"
 #include "scene/scene_data.h"
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ public:
     void add_lamp(const LampData& lamp);
     void set_world(const EnvironmentSettings& world);
     void set_camera(const CameraFrame& frame);
-    [[nodiscard]] TextureSet& textures() { return data_.textures; }
+    [[nodiscard]] TextureSet& textures();
 
     // The number of a layer name, new or known. The empty name is a mesh's first layer.
     int uv_layer(const std::string& name);
@@ -33,15 +34,20 @@ public:
     [[nodiscard]] std::vector<std::string> color_attributes_read(
         const std::vector<std::size_t>& materials) const;
 
+    // While somebody holds a lease, every change is refused: what was built refers to the data.
+    [[nodiscard]] std::shared_ptr<const void> lease() const { return lease_; }
+
     [[nodiscard]] const SceneData& data() const { return data_; }
     // Throws std::invalid_argument if set_camera was never called.
     [[nodiscard]] const CameraFrame& camera() const;
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
+    void require_unleased() const;
     [[nodiscard]] std::vector<const Material*> materials_at(
         const std::vector<std::size_t>& numbers) const;
 
+    std::shared_ptr<const void> lease_ = std::make_shared<int>();
     SceneData data_;
     CameraFrame camera_;
     bool has_camera_ = false;

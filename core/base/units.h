@@ -19,9 +19,5 @@ inline constexpr double pi = std::numbers::pi;
 {
     return angle_rad * (180.0 * 60.0 / pi);
 }
-[[nodiscard]] constexpr double rad_from_arcmin(double angle_arcmin)
-{
-    return angle_arcmin * (pi / (180.0 * 60.0));
-}
 
 }  // namespace eye_render

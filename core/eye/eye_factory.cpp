@@ -27,6 +27,16 @@ PowerMatrix rx_as_written(const EyeSpec& spec)
 
 }  // namespace
 
+std::string_view to_string(RxPlane plane)
+{
+    switch (plane) {
+    case RxPlane::Spectacle: return "spectacle";
+    case RxPlane::Cornea: return "cornea";
+    case RxPlane::EntrancePupil: return "entrance_pupil";
+    }
+    return "";
+}
+
 std::string_view to_string(EyeModelKind kind)
 {
     switch (kind) {

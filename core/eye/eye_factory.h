@@ -25,6 +25,11 @@ inline constexpr std::array eye_model_kinds{EyeModelKind::Pinhole, EyeModelKind:
 // entrance pupil, where the models work.
 enum class RxPlane { Spectacle, Cornea, EntrancePupil };
 
+inline constexpr std::array rx_planes{RxPlane::Spectacle, RxPlane::Cornea, RxPlane::EntrancePupil};
+
+// "spectacle", "cornea", "entrance_pupil".
+[[nodiscard]] std::string_view to_string(RxPlane plane);
+
 // The entrance pupil behind the cornea: 3.04 mm in the schematic eyes of Le Grand and Navarro.
 inline constexpr double cornea_to_entrance_pupil_m = 3.05e-3;
 

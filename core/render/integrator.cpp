@@ -7,12 +7,21 @@ namespace eye_render {
 
 namespace {
 
-// Layers of straight transparency a path may pass before it is given up: enough for foliage, and
-// an end for a scene in which rounding never lets a ray out.
-constexpr int max_straight_passages = 256;
-
 // Surfaces before roulette starts: the first two carry most of the picture.
 constexpr int roulette_start = 2;
+
+// From clear of the surface to the light's own place: a ray that kept the direction from the
+// surface would miss that place by the offset.
+Ray shadow_ray(const SurfaceHit& hit, const IncomingLight& light)
+{
+    Ray ray{.origin = hit.origin_towards(light.wi), .direction = light.wi};
+    if (std::isfinite(light.distance)) {
+        const V3f to_light = hit.p_world + light.wi * light.distance - ray.origin;
+        ray.t_max = to_light.length();
+        ray.direction = to_light / ray.t_max;
+    }
+    return ray;
+}
 
 float power_heuristic(float pdf, float other_pdf)
 {
@@ -38,6 +47,9 @@ public:
     {
     }
 
+    PathTracer(const PathTracer&) = delete;
+    PathTracer& operator=(const PathTracer&) = delete;
+
     PathRadiance trace(Ray ray)
     {
         for (int passages = 0; passages <= max_straight_passages;) {
@@ -47,29 +59,34 @@ public:
                 add_background(ray);
                 break;
             }
-            const ShadedPoint shaded = shade(hit->material(), hit->point, scene_.attributes(*hit));
-            if (settings_.first_surface) {
-                note_first_surface(*hit, shaded);
-            }
+            const MeshAttributes attributes = scene_.attributes(*hit);
+            const ShadedPoint shaded = shade(hit->material(), hit->point, attributes);
             add_emission(*hit, shaded.emission);
-            // The ray after the last bounce only collects what shines by itself.
             if (bounce_ > settings_.max_bounces) {
-                break;
+                // The ray after the last bounce only collects what shines by itself, through
+                // whatever lets it pass: light sampling sees through the same surfaces.
+                throughput_ *= straight_transmittance(hit->material(), attributes);
+                if (max_component(throughput_) <= 0.0f) {
+                    break;
+                }
+                pass_through(ray, *hit);
+                ++passages;
+                continue;
             }
             add_direct_light(*hit, shaded.bsdf);
 
             const auto u = sequence_.next();
             const auto sample = shaded.bsdf.sample(u[2], V2f(u[0], u[1]));
+            if (settings_.first_surface && !(sample && sample->is_straight)) {
+                note_first_surface(*hit, shaded);
+            }
             if (!sample) {
                 break;
             }
             throughput_ *= sample->weight;
-            ray.origin = offset_from_surface(hit->p_world, towards(*hit, sample->wi));
-            ray.t_min = 0.0f;
             if (sample->is_straight) {
+                pass_through(ray, *hit);
                 ++passages;
-                travelled_ += hit->t;
-                ray.t_max -= hit->t;
                 continue;
             }
             std::swap(last_, here_);
@@ -77,8 +94,7 @@ public:
             last_->pdf = sample->pdf;
             last_->is_delta = sample->is_delta;
             travelled_ = 0.0f;
-            ray.direction = sample->wi;
-            ray.t_max = std::numeric_limits<float>::infinity();
+            ray = {.origin = hit->origin_towards(sample->wi), .direction = sample->wi};
             ++bounce_;
             if (!survives_roulette(u[3])) {
                 break;
@@ -88,10 +104,10 @@ public:
     }
 
 private:
-    // The geometric normal on the side of `wi`.
-    static V3f towards(const SurfaceHit& hit, const V3f& wi)
+    void pass_through(Ray& ray, const SurfaceHit& hit)
     {
-        return hit.point.ng.dot(wi) < 0.0f ? -hit.point.ng : hit.point.ng;
+        travelled_ += hit.t;
+        ray = passed_through(ray, hit);
     }
 
     void add(const Color3f& contribution)
@@ -146,7 +162,9 @@ private:
             return;
         }
         const auto u = sequence_.next();
-        scene_.weigh_lights(hit.p_world, hit.point.ng, here_->point);
+        // Where light passes through, lamps on both sides count.
+        const V3f lit_side = bsdf.transmits() ? V3f(0.0f) : hit.point.ng;
+        scene_.weigh_lights(hit.p_world, lit_side, here_->point);
         const auto light = scene_.sample_light(here_->point, u[2], V2f(u[0], u[1]));
         if (!light) {
             return;
@@ -155,14 +173,12 @@ private:
         if (max_component(scattered.value) <= 0.0f) {
             return;
         }
-        const float weight = light->is_delta ? 1.0f : power_heuristic(light->pdf, scattered.pdf);
+        const float weight =
+            light->is_met_by_rays ? power_heuristic(light->pdf, scattered.pdf) : 1.0f;
         Color3f contribution =
             throughput_ * scattered.value * light->radiance * (weight / light->pdf);
         if (light->casts_shadow) {
-            contribution *= scene_.transmittance(
-                {.origin = offset_from_surface(hit.p_world, towards(hit, light->wi)),
-                 .direction = light->wi,
-                 .t_max = light->distance});
+            contribution *= scene_.transmittance(shadow_ray(hit, *light));
         }
         add(contribution);
     }

@@ -64,6 +64,9 @@ double largest_blur_px(const SceneData& scene, const CameraFrame& frame, const E
         return 0.0;
     }
     const double nearest_m = nearest_depth(scene, frame) * frame.metres_per_unit;
+    if (nearest_m <= 0.0) {
+        return std::numeric_limits<double>::infinity();
+    }
     const PowerMatrix k = eye.retinal_conjugate_d();
     const double largest_d =
         std::max(largest_power_d(k), largest_power_d(k - PowerMatrix::sphere(1.0 / nearest_m)));
@@ -106,10 +109,7 @@ void plan_lights(RenderPlan& plan, const SceneData& scene)
 
 }  // namespace
 
-RenderPlan make_plan(const SceneData& scene,
-                     const CameraFrame& frame,
-                     const EyeModel& eye,
-                     std::vector<Pass> passes)
+RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
 {
     RenderPlan plan;
     std::vector<std::size_t> uses(scene.meshes.size(), 0);
@@ -131,15 +131,23 @@ RenderPlan make_plan(const SceneData& scene,
     plan.color_attributes =
         names_of(color_attributes_read(materials), scene.color_attribute_names);
     plan_lights(plan, scene);
-    plan.largest_blur_px = largest_blur_px(scene, frame, eye);
-    // A blur circle one pixel wide is where the pixel filter, itself 1.5 pixels wide, hides it.
-    plan.lens = plan.largest_blur_px >= 1.0;
     plan.passes = std::move(passes);
     for (const Pass pass : plan.passes) {
         plan.chief_ray = plan.chief_ray || !info(pass).is_mean;
         plan.first_surface = plan.first_surface || pass == Pass::Normal || pass == Pass::Albedo;
     }
     return plan;
+}
+
+void plan_lens(RenderPlan& plan,
+               const SceneData& scene,
+               const CameraFrame& frame,
+               const EyeModel& eye)
+{
+    plan.largest_blur_px = largest_blur_px(scene, frame, eye);
+    // A blur circle one pixel wide is where the pixel filter, itself 1.5 pixels wide, hides it.
+    // NaN falls to the lens, which costs time but never blur.
+    plan.lens = !(plan.largest_blur_px < 1.0);
 }
 
 std::string RenderPlan::text() const

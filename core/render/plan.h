@@ -36,9 +36,13 @@ struct RenderPlan {
     [[nodiscard]] std::string text() const;
 };
 
-[[nodiscard]] RenderPlan make_plan(const SceneData& scene,
-                                   const CameraFrame& frame,
-                                   const EyeModel& eye,
-                                   std::vector<Pass> passes);
+// All of the plan but its lens, which waits for the eye.
+[[nodiscard]] RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes);
+
+// Adds what the eye shows of the scene: how much it blurs at most, and whether that is to be seen.
+void plan_lens(RenderPlan& plan,
+               const SceneData& scene,
+               const CameraFrame& frame,
+               const EyeModel& eye);
 
 }  // namespace eye_render

@@ -1,8 +1,5 @@
 #include "render/session.h"
 
-#include <tbb/info.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <exception>
 
@@ -67,10 +64,7 @@ void Session::run()
 {
     std::optional<std::string> error;
     try {
-        const int available = tbb::info::default_concurrency();
-        tbb::task_arena arena(settings_.threads > 0 ? std::min(settings_.threads, available)
-                                                    : available);
-        arena.execute([this] {
+        on_threads(settings_.threads, [this] {
             if (settings_.chief_rays && !trace_chief_rays(job_, film_, cancelled_)) {
                 return;
             }

@@ -3,7 +3,9 @@
 #include "base/units.h"
 
 #include <tbb/blocked_range2d.h>
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 
@@ -81,15 +83,22 @@ double chief_depth(const Scene& scene, const CameraFrame& frame, const V2d& chie
     const V3d towards = frame.axis_x * chief_slope.x + frame.axis_y * chief_slope.y - frame.axis_z;
     const double length_per_depth = towards.length();
     const auto hit =
-        scene.intersect({.origin = V3f(0.0f),
-                         .direction = V3f(towards / length_per_depth),
-                         .t_min = static_cast<float>(frame.clip_near * length_per_depth),
-                         .t_max = static_cast<float>(frame.clip_far * length_per_depth)});
+        scene.first_visible({.origin = V3f(0.0f),
+                             .direction = V3f(towards / length_per_depth),
+                             .t_min = static_cast<float>(frame.clip_near * length_per_depth),
+                             .t_max = static_cast<float>(frame.clip_far * length_per_depth)});
     return hit ? static_cast<double>(hit->t) / length_per_depth
                : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
+
+void on_threads(int threads, const std::function<void()>& work)
+{
+    const int available = tbb::info::default_concurrency();
+    tbb::task_arena arena(threads > 0 ? std::min(threads, available) : available);
+    arena.execute(work);
+}
 
 bool trace_samples(const RenderJob& job,
                    const SampleRange& range,

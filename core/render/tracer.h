@@ -9,6 +9,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <functional>
 #include <memory>
 
 namespace eye_render {
@@ -31,9 +32,11 @@ struct RenderJob {
     std::uint64_t seed = 0;
 };
 
+// Runs `work` on at most `threads` threads, 0 for all the processor has.
+void on_threads(int threads, const std::function<void()>& work);
+
 // Adds the samples in `range` to the film of the job's border. Returns false if `cancelled` became
-// true meanwhile: the film then holds whole samples, but not the same number everywhere. Threads
-// are those of the calling task arena.
+// true meanwhile: the film then holds whole samples, but not the same number everywhere.
 bool trace_samples(const RenderJob& job,
                    const SampleRange& range,
                    Film& film,

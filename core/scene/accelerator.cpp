@@ -3,6 +3,7 @@
 #include "scene/embree.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -35,6 +36,13 @@ std::span<const V3f> attach_triangles(RTCDevice device,
     rtcAttachGeometryByID(scene, geometry, id);
     rtcReleaseGeometry(geometry);
     return {vertex_buffer, positions.size()};
+}
+
+// False for NaN and infinity in origin or direction, and for NaN as a limit.
+bool is_traceable(const Ray& ray)
+{
+    const V3f sum = ray.origin + ray.direction;
+    return std::isfinite(sum.x + sum.y + sum.z) && ray.t_min <= ray.t_max;
 }
 
 RTCRay to_embree(const Ray& ray)
@@ -135,6 +143,9 @@ void Accelerator::build()
 
 std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray) const
 {
+    if (!is_traceable(ray)) {
+        return std::nullopt;
+    }
     RTCRayHit query;
     query.ray = to_embree(ray);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -154,6 +165,9 @@ std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray) const
 
 bool Accelerator::occluded(const Ray& ray) const
 {
+    if (!is_traceable(ray)) {
+        return true;
+    }
     RTCRay query = to_embree(ray);
     embree::occluded(root_.get(), query);
     return query.tfar < 0.0f;

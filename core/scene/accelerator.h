@@ -50,6 +50,8 @@ public:
     // Embree fails (out of memory, say).
     void build();
 
+    // A ray that is not finite meets nothing and is occluded: it brings no light either way.
+    // Embree itself may end the process for one.
     [[nodiscard]] std::optional<AcceleratorHit> intersect(const Ray& ray) const;
     [[nodiscard]] bool occluded(const Ray& ray) const;
 

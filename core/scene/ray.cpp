@@ -24,9 +24,11 @@ float offset_coordinate(float p, float n)
 
 }  // namespace
 
-V3f offset_from_surface(const V3f& p, const V3f& n)
+V3f offset_from_surface(const V3f& p, const V3f& n, float error)
 {
-    return {offset_coordinate(p.x, n.x), offset_coordinate(p.y, n.y), offset_coordinate(p.z, n.z)};
+    const V3f clear = p + n * error;
+    return {offset_coordinate(clear.x, n.x), offset_coordinate(clear.y, n.y),
+            offset_coordinate(clear.z, n.z)};
 }
 
 }  // namespace eye_render

@@ -15,9 +15,10 @@ struct Ray {
     float t_max = std::numeric_limits<float>::infinity();
 };
 
-// Moves a surface point off its surface to the side of `n`, by a distance that follows the
-// spacing of floats at the point (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding
-// Self-Intersection"): integer steps where the coordinate is large, a fixed step near zero.
-[[nodiscard]] V3f offset_from_surface(const V3f& p, const V3f& n);
+// Moves a surface point off its surface to the side of the unit normal `n`: by `error`, how far
+// from the surface the point itself may lie, and then by the spacing of floats at the point
+// (Waechter & Binder 2019, "A Fast and Robust Method for Avoiding Self-Intersection"): integer
+// steps where the coordinate is large, a fixed step near zero.
+[[nodiscard]] V3f offset_from_surface(const V3f& p, const V3f& n, float error);
 
 }  // namespace eye_render

@@ -36,6 +36,13 @@ LayerLookup find_layers(const SceneData& data, const Mesh& mesh)
 
 }  // namespace
 
+Ray passed_through(const Ray& ray, const SurfaceHit& hit)
+{
+    return {.origin = hit.origin_towards(ray.direction),
+            .direction = ray.direction,
+            .t_max = std::max(0.0f, ray.t_max - hit.t)};
+}
+
 Scene::Scene(const SceneData& data, const V3d& eye_position_world) : data_(data)
 {
     add_placements(eye_position_world);
@@ -46,7 +53,9 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world) : data_(data)
         settings.world_from_light =
             to_float(relative_to_eye(lamp.world_from_light, eye_position_world));
         lamps_.push_back(make_lamp(settings));
-        if (!lamps_.back().is_delta) {
+        // Rays would lose a lamp without shadows behind what it shines through: sampling alone
+        // finds it.
+        if (!lamps_.back().is_delta && lamps_.back().casts_shadow) {
             visible_lamps_.push_back(static_cast<std::uint32_t>(lamps_.size() - 1));
         }
     }
@@ -80,7 +89,8 @@ void Scene::add_placements(const V3d& eye_position_world)
                             .materials = {},
                             .world_from_object = to_float(world_from_object),
                             .world_from_object_normal = normal_matrix(world_from_object),
-                            .is_flat = uses[instance.mesh] == 1,
+                            .is_flat =
+                                uses[instance.mesh] == 1 || !is_invertible(world_from_object),
                             .is_mirrored = is_mirror(world_from_object),
                             .emitters = {}};
         for (const std::size_t material : instance.materials) {
@@ -106,7 +116,6 @@ void Scene::add_placements(const V3d& eye_position_world)
             }
             accelerator_.place(*prototype, placement.world_from_object);
         }
-        triangle_count_ += mesh.triangles.size();
         placements_.push_back(std::move(placement));
     }
 }
@@ -128,23 +137,43 @@ Color3f Scene::transmittance(const Ray& ray) const
     }
     Color3f result(1.0f);
     Ray rest = ray;
-    while (const auto hit = intersect(rest)) {
+    for (int passages = 0; passages <= max_straight_passages; ++passages) {
+        const auto hit = intersect(rest);
+        if (!hit) {
+            return result;
+        }
         const Material& material = hit->material();
         if (!material.may_be_transparent()) {
-            return Color3f(0.0f);
+            break;
         }
         result *= straight_transmittance(material, attributes(*hit));
         if (max_component(result) <= 0.0f) {
-            return Color3f(0.0f);
-        }
-        rest.origin = offset_from_surface(hit->p_world, -hit->point.ng);
-        // The end stays where it was; an infinite one does, too.
-        rest.t_max -= hit->t;
-        if (!(rest.t_max > 0.0f)) {
             break;
         }
+        rest = passed_through(rest, *hit);
     }
-    return result;
+    return Color3f(0.0f);
+}
+
+std::optional<SurfaceHit> Scene::first_visible(const Ray& ray) const
+{
+    Ray rest = ray;
+    float travelled = 0.0f;
+    for (int passages = 0; passages <= max_straight_passages; ++passages) {
+        auto hit = intersect(rest);
+        if (!hit) {
+            break;
+        }
+        const Material& material = hit->material();
+        if (!material.may_be_transparent() ||
+            luminance(straight_transmittance(material, attributes(*hit))) < 0.5f) {
+            hit->t += travelled;
+            return hit;
+        }
+        travelled += hit->t;
+        rest = passed_through(rest, *hit);
+    }
+    return std::nullopt;
 }
 
 }  // namespace eye_render

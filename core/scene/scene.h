@@ -28,7 +28,8 @@ struct IncomingLight {
     float distance = 0.0f;  // infinite for the environment and the sun
     Color3f radiance;
     float pdf = 0.0f;  // per unit solid angle, the choice of the light included
-    bool is_delta = false;
+    // Whether a ray that a BSDF sends this way may find the light too, so that MIS must weigh.
+    bool is_met_by_rays = true;
     bool casts_shadow = true;
 };
 
@@ -37,6 +38,13 @@ struct LampContribution {
     Color3f radiance;
     float pdf = 0.0f;
 };
+
+// Layers of straight transparency that a ray passes before it is given up: enough for foliage, and
+// an end where rounding never lets a ray out.
+inline constexpr int max_straight_passages = 256;
+
+// What is left of a ray behind a surface that let it pass.
+[[nodiscard]] Ray passed_through(const Ray& ray, const SurfaceHit& hit);
 
 class Scene {
 public:
@@ -52,6 +60,9 @@ public:
     {
         return {*hit.placement, hit.triangle, hit.u, hit.v, data_.textures};
     }
+
+    // The first surface that is more to be seen than to be seen through.
+    [[nodiscard]] std::optional<SurfaceHit> first_visible(const Ray& ray) const;
 
     // The part of the light that passes along the ray: 0 behind an opaque surface.
     [[nodiscard]] Color3f transmittance(const Ray& ray) const;
@@ -96,11 +107,11 @@ public:
         return environment_.radiance(direction);
     }
 
-    [[nodiscard]] std::size_t triangle_count() const { return triangle_count_; }
-
 private:
     void add_placements(const V3d& eye_position_world);
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
+    // As the accelerator holds them: in the world for a flat placement, else in object space.
+    [[nodiscard]] std::array<V3f, 3> accelerator_corners(const Emitter& emitter) const;
     [[nodiscard]] std::array<V3f, 3> corners_world(const Emitter& emitter) const;
     [[nodiscard]] std::optional<IncomingLight> sample_emitter(std::uint32_t index,
                                                               const V3f& p,
@@ -116,7 +127,6 @@ private:
     std::vector<std::uint32_t> visible_lamps_;  // those with an extent
     Environment environment_;
     LightSampler light_sampler_;
-    std::size_t triangle_count_ = 0;
     bool may_be_transparent_ = false;
 };
 

@@ -9,6 +9,7 @@
 #include "scene/textures.h"
 #include "shading/material.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,9 @@ struct SceneData {
     std::vector<std::string> uv_layer_names;
     std::vector<std::string> color_attribute_names;
 };
+
+// Every input of a material, whether its surface uses it or not.
+[[nodiscard]] std::array<const MaterialInput*, 11> inputs_of(const Material& material);
 
 // The layer numbers that some input of the materials reads, ascending and without repeats.
 [[nodiscard]] std::vector<int> uv_layers_read(const std::vector<const Material*>& materials);

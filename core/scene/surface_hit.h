@@ -7,6 +7,7 @@
 #include "scene/textures.h"
 #include "shading/material.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -40,6 +41,7 @@ struct Placement {
 struct SurfaceHit {
     float t = 0.0f;
     V3f p_world{0.0f};
+    float p_error = 0.0f;  // how far p_world may lie from the surface
     ShadingPoint point;
     const Placement* placement = nullptr;
     std::uint32_t triangle = 0;
@@ -47,12 +49,23 @@ struct SurfaceHit {
     float v = 0.0f;
 
     [[nodiscard]] const Material& material() const { return placement->material(triangle); }
+    // Where a ray in direction `wi` starts, clear of the surface.
+    [[nodiscard]] V3f origin_towards(const V3f& wi) const
+    {
+        const V3f& ng = point.ng;
+        return offset_from_surface(p_world, ng.dot(wi) < 0.0f ? -ng : ng, p_error);
+    }
+
     // The number among the scene's emitters, or -1.
     [[nodiscard]] int emitter() const
     {
         return placement->emitters.empty() ? -1 : placement->emitters[triangle];
     }
 };
+
+// How far a point of the triangle, computed in float from its corners as the accelerator holds
+// them, may lie from it.
+[[nodiscard]] float position_error(const Placement& placement, const std::array<V3f, 3>& corners);
 
 // Turns what the accelerator found into a hit, `positions` being the accelerator's.
 [[nodiscard]] SurfaceHit make_surface_hit(const Ray& ray,

@@ -32,6 +32,18 @@ M44f to_float(const M44d& m)
 
 bool is_mirror(const M44d& m) { return axis(m, 0).dot(axis(m, 1).cross(axis(m, 2))) < 0.0; }
 
+bool is_invertible(const M44d& m)
+{
+    // The volume that the axes span, relative to the cube of the longest: 1e-5 leaves two of a
+    // float's seven digits.
+    constexpr double smallest = 1e-5;
+    const V3d x = axis(m, 0);
+    const V3d y = axis(m, 1);
+    const V3d z = axis(m, 2);
+    const double longest = std::max({x.length(), y.length(), z.length()});
+    return std::abs(x.dot(y.cross(z))) > smallest * longest * longest * longest;
+}
+
 M33f normal_matrix(const M44d& m)
 {
     const V3d x = axis(m, 0);

@@ -13,6 +13,10 @@ namespace eye_render {
 
 [[nodiscard]] bool is_mirror(const M44d& m);
 
+// Whether float arithmetic can go back through the matrix: not if it flattens what it places, or
+// nearly so.
+[[nodiscard]] bool is_invertible(const M44d& m);
+
 // Takes normals to the world and keeps their side: cofactors of the upper-left block with the sign
 // of its determinant, which is the inverse transpose times a positive factor. Unlike the inverse
 // it exists for a flattened object, too. Scaled so that its largest entry is 1.

@@ -26,6 +26,7 @@ void Bsdf::add(const Lobe& lobe, const Color3f& albedo)
     shares_[i] = {importance, is_delta};
     importance_ += importance;
     has_finite_lobe_ |= !is_delta;
+    transmits_ |= !is_delta && lobe.kind == LobeKind::Glass;
     if (lobe.kind != LobeKind::Straight) {
         albedo_ += albedo;
     }

@@ -48,6 +48,9 @@ public:
     // True if next-event estimation has nothing to find: `evaluate` is zero everywhere.
     [[nodiscard]] bool is_delta_only() const { return !has_finite_lobe_; }
 
+    // True if `evaluate` may find light on the far side of the surface.
+    [[nodiscard]] bool transmits() const { return transmits_; }
+
 private:
     // Principled at its fullest: straight, metal, glass, dielectric, diffuse.
     static constexpr int capacity = 5;
@@ -63,6 +66,7 @@ private:
     float importance_ = 0.0f;
     int count_ = 0;
     bool has_finite_lobe_ = false;
+    bool transmits_ = false;
     std::array<Share, capacity> shares_;
     std::array<Lobe, capacity> lobes_;
 };

@@ -130,7 +130,7 @@ TEST(Engine, refuses_numbers_out_of_range)
     Observer unknown_age = myope(0.0);
     unknown_age.age_years = std::nan("");
     EXPECT_EQ(refusal(unknown_age, {}), "age is nan years; expected 0 to 120 years");
-    EXPECT_EQ(refusal(myope(0.0), {.samples = {.first = 4, .last = 4}}),
+    EXPECT_EQ(refusal(myope(0.0), {.range = SampleRange{.first = 4, .last = 4}}),
               "sample range is 4:4; expected FIRST:LAST with FIRST below LAST");
     EXPECT_EQ(refusal(myope(-40.0), {}), "sphere_d is -40 D; expected -30 to 30 D");
 }

@@ -70,6 +70,8 @@ TEST(SceneBuilder, layer_names_have_one_number_each)
     EXPECT_EQ(scene.uv_layer("a"), 0);
     EXPECT_EQ(scene.uv_layer(""), 1);
     EXPECT_EQ(scene.uv_layer("a"), 0);
+    const std::vector<float> pixel(4, 1.0f);
+    scene.textures().add_pixels("p", PixelsF32{.width = 1, .height = 1, .rgba = pixel}, {});
     Material material;
     material.roughness.texture = 0;
     material.roughness.uv_layer = 1;

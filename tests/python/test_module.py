@@ -105,7 +105,7 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
         (lambda: eyecore.Eye(model="lens"), r"model is 'lens'; expected one of pinhole, paper"),
         (lambda: eyecore.Eye(rx="-2.00 -0.75"), r"axis"),
         (lambda: eyecore.Prescription(axis_deg=190), r"axis_deg is 190.*; expected 0 to 180"),
-        (lambda: eyecore.Observer(pupil="wide"), r"pupil is 'wide'; expected one of auto"),
+        (lambda: eyecore.Observer(pupil="wide"), r"pupil is 'wide'; expected 'auto' or a number of mm"),
         (lambda: eyecore.Settings(passes=["Shine"]), r"pass 'Shine' does not exist"),
         (lambda: eyecore.Scene().add_material("m", "WOOL"), r"surface is 'WOOL'; expected one of"),
         (lambda: eyecore.Scene().add_material("m", gloss=1), r"input of material 'm' is 'gloss'"),
@@ -123,7 +123,18 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
         ),
         (
             lambda: eyecore.render(lit_quad(), eyecore.Observer(), eyecore.Settings(samples=0)),
-            r"sample range is 0:0",
+            r"samples is 0; expected 1 to",
+        ),
+        (lambda: eyecore.Observer(rx=3), r"rx is 3; expected a Prescription or a text"),
+        (lambda: eyecore.Observer(pupil=None), r"pupil is None; expected 'auto' or a number"),
+        (lambda: eyecore.Scene().add_material("m", roughness="x"), r"roughness is 'x'; expected"),
+        (
+            lambda: eyecore.Scene().add_light("l", "SUN", np.eye(4), 0.5),
+            r"color of light 'l' is 0.5; expected three numbers",
+        ),
+        (
+            lambda: lit_quad().set_camera(np.zeros((4, 4)), (-1, 1, -1, 1), (8, 8)),
+            r"the camera's axes span no space",
         ),
         (lambda: eyecore.pupil_diameter_mm("GUESS", 10.0), r"formula is 'GUESS'; expected one of"),
     ],
@@ -131,3 +142,39 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
 def test_refusals_name_value_and_what_is_allowed(call, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         call()
+
+
+def test_numpy_numbers_are_numbers() -> None:
+    scene = eyecore.Scene()
+    scene.add_material("m", roughness=np.float32(0.5), metallic=np.int64(1))
+    eyecore.Observer(pupil=np.float32(3.0), focus=np.float64(2.0))
+
+
+def test_a_scene_refuses_changes_while_a_session_refers_to_it() -> None:
+    scene = lit_quad()
+    session = eyecore.Session(scene, eyecore.Observer(pupil=4), eyecore.Settings(samples=1))
+    with pytest.raises(ValueError, match="cannot change while a session"):
+        scene.add_material("late")
+    del session
+    scene.add_material("in time")
+
+
+def test_waiting_forever_is_waiting() -> None:
+    session = eyecore.Session(
+        lit_quad(), eyecore.Observer(pupil=4), eyecore.Settings(samples=256)
+    )
+    session.start()
+    assert session.wait(float("inf"))
+    with pytest.raises(ValueError, match="timeout_s is nan"):
+        session.wait(float("nan"))
+
+
+@pytest.mark.parametrize("pattern", eyecore.PUPIL_PATTERNS)
+def test_sample_ranges_merge_into_the_whole_with_every_pattern(pattern: str) -> None:
+    def part(sample_range):
+        settings = eyecore.Settings(samples=32, sample_range=sample_range, pattern=pattern)
+        observer = eyecore.Observer(rx="-12.00DS", pupil=6)
+        return eyecore.render(lit_quad(), observer, settings)["Combined"]
+
+    merged = (part((0, 16)) + part((16, 32))) / 2
+    assert merged == pytest.approx(part(None), abs=1e-6)

@@ -137,6 +137,97 @@ TEST(Integrator, half_transparent_square_lets_half_of_the_light_pass)
     expect_matches(estimate(veiled, {.max_bounces = 0}, {}, 16), 0.5 * without);
 }
 
+TEST(Integrator, a_clear_sheet_changes_nothing_at_any_bounce)
+{
+    Material clear;
+    clear.surface = Surface::Transparent;
+    clear.base_color.constant = Color3f(1.0f);
+    for (const int max_bounces : {0, 1, 4}) {
+        SceneData data;
+        test::place(data, test::square(2.0f), V3d(0.0, 0.0, -2.0), test::diffuse(0.5f));
+        test::place(data, test::square(50.0f), V3d(0.0, 0.0, -1.0), clear);
+        data.world.color = Color3f(1.0f);
+        const Scene scene(data, V3d(0.0));
+        SCOPED_TRACE(max_bounces);
+        expect_matches(estimate(scene, {.max_bounces = max_bounces}, {}, 4000), 0.5);
+    }
+}
+
+TEST(Integrator, thin_plate_close_to_a_far_lamp_casts_its_shadow)
+{
+    for (const double distance : {10.0, 100.0, 1000.0}) {
+        SceneData data;
+        test::place(data, test::square(1.0f), V3d(0.0, 0.0, -distance), test::diffuse(0.5f));
+        test::place(data, test::square(0.5f), V3d(0.0, 3.0, -0.002 * distance / 100.0),
+                    test::diffuse(0.5f));
+        data.lamps.push_back(test::point_lamp(V3d(0.0, 3.0, 0.0), 100.0f));
+        const Scene scene(data, V3d(0.0));
+        EXPECT_EQ(estimate(scene, {.max_bounces = 0}, {}, 16).mean, 0.0) << distance;
+    }
+}
+
+TEST(Integrator, lamp_without_shadows_shines_through_on_a_glossy_floor)
+{
+    Material glossy;
+    glossy.surface = Surface::Glossy;
+    glossy.base_color.constant = Color3f(0.8f);
+    const auto seen = [&glossy](bool is_blocked, bool casts_shadow) {
+        SceneData data;
+        glossy.roughness.constant = Color3f(0.4f);
+        test::place(data, test::square(5.0f), V3d(0.0, 0.0, -3.0), glossy);
+        LampData lamp = test::point_lamp(V3d(0.2, 0.0, 0.5), 100.0f);
+        lamp.settings.radius = 0.3f;
+        lamp.settings.casts_shadow = casts_shadow;
+        data.lamps.push_back(lamp);
+        if (is_blocked) {
+            test::place(data, test::square(1.0f), V3d(0.2, 1.2, -1.0), test::diffuse(0.0f));
+            test::place(data, test::square(0.5f), V3d(0.6, 0.0, -0.5), test::diffuse(0.0f));
+        }
+        const Scene scene(data, V3d(0.0));
+        return estimate(scene, {.max_bounces = 0}, {}, 40000);
+    };
+    const Estimate open = seen(false, true);
+    const Estimate through = seen(true, false);
+    EXPECT_NEAR(through.mean, open.mean, 4.0 * (through.standard_error + open.standard_error));
+    EXPECT_LT(seen(true, true).mean, 0.5 * open.mean);
+}
+
+TEST(Integrator, tilted_plane_of_any_size_does_not_shadow_itself)
+{
+    for (const float size : {1.0f, 1e3f, 1e4f}) {
+        for (const bool is_instanced : {false, true}) {
+            SceneData data;
+            test::place(data, test::square(size), V3d(0.0), test::diffuse(0.5f));
+            M44d tilted;
+            tilted.rotate(V3d(0.5, 0.3, 0.2));
+            M44d at;
+            at.setTranslation(V3d(0.0, 0.0, -2.0));
+            data.instances[0].world_from_object = tilted * at;
+            if (is_instanced) {
+                InstanceData elsewhere = data.instances[0];
+                elsewhere.world_from_object[3][1] = 1e6;
+                data.instances.push_back(elsewhere);
+            }
+            LampData sun = test::point_lamp(V3d(0.0), 1.0f);
+            sun.settings.kind = LampKind::Sun;
+            data.lamps.push_back(sun);
+            const Scene scene(data, V3d(0.0));
+            // The sun shines along -Z on a plane whose normal's z is the cosine.
+            V3d normal;
+            tilted.multDirMatrix(V3d(0.0, 0.0, 1.0), normal);
+            Estimate mean;
+            for (int i = 0; i < 200; ++i) {
+                const float x = 0.002f * static_cast<float>(i) - 0.2f;
+                mean.mean += estimate(scene, {.max_bounces = 0},
+                                      {.direction = V3f(x, 0.3f * x, -1.0f).normalized()}, 1)
+                                 .mean /
+                             200.0;
+            }
+            EXPECT_NEAR(mean.mean, 0.5 / pi * normal.z, 1e-4) << size << ' ' << is_instanced;
+        }
+    }
+}
+
 TEST(Integrator, transparent_film_leaves_the_world_out_and_keeps_coverage)
 {
     SceneData data;

@@ -23,7 +23,9 @@ RenderPlan plan_for(const SceneData& data,
                     std::vector<Pass> passes = {Pass::Combined})
 {
     // 256 pixels over a slope of 0.4: 5.4 arcmin a pixel.
-    return make_plan(data, test::frame(256, 0.2), *relaxed_eye(sphere_d, 4e-3), std::move(passes));
+    RenderPlan plan = make_plan(data, std::move(passes));
+    plan_lens(plan, data, test::frame(256, 0.2), *relaxed_eye(sphere_d, 4e-3));
+    return plan;
 }
 
 TEST(Plan, plain_scene_without_images_starts_nothing)
@@ -54,6 +56,19 @@ TEST(Plan, blur_below_a_pixel_needs_no_lens)
     const RenderPlan blurred = plan_for(data, -3.0);
     EXPECT_NEAR(blurred.largest_blur_px, 0.004 * 3.0 / (0.4 / 256), 1e-6);
     EXPECT_TRUE(blurred.lens);
+}
+
+TEST(Plan, eye_inside_an_object_needs_the_lens_even_without_a_near_plane)
+{
+    SceneData data;
+    test::place(data, test::cube(3.0f), V3d(0.0), test::diffuse(0.5f));
+    for (const double clip_near : {0.0, 1e-3}) {
+        CameraFrame frame = test::frame(256, 0.2);
+        frame.clip_near = clip_near;
+        RenderPlan plan = make_plan(data, {Pass::Combined});
+        plan_lens(plan, data, frame, *relaxed_eye(0.0, 4e-3));
+        EXPECT_TRUE(plan.lens) << clip_near;
+    }
 }
 
 TEST(Plan, textured_glass_under_a_picture_of_the_sky)

@@ -104,6 +104,21 @@ TEST(Accelerator, placed_prototype_is_hit_where_its_matrix_puts_it)
     EXPECT_FALSE(accelerator.intersect({.origin = V3f(5, 0, 0), .t_max = 6.0f}));
 }
 
+TEST(Accelerator, rays_that_are_not_finite_bring_no_light)
+{
+    std::mt19937 random(1);
+    const Soup soup = random_soup(random, 10);
+    Accelerator accelerator;
+    accelerator.add_flat(soup.positions, soup.triangles);
+    accelerator.build();
+    const float nan = std::nanf("");
+    for (const Ray& ray : {Ray{.origin = V3f(nan, 0, 0)}, Ray{.direction = V3f(0, nan, 0)},
+                           Ray{.origin = V3f(0, 0, INFINITY)}, Ray{.t_max = nan}}) {
+        EXPECT_FALSE(accelerator.intersect(ray));
+        EXPECT_TRUE(accelerator.occluded(ray));
+    }
+}
+
 TEST(Accelerator, empty_scene_is_hit_by_nothing)
 {
     Accelerator accelerator;

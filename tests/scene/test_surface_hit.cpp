@@ -77,6 +77,21 @@ TEST(SurfaceHit, flat_and_instanced_meshes_look_alike)
     EXPECT_EQ(frame_a.bitangent_sign, frame_b.bitangent_sign);
 }
 
+TEST(SurfaceHit, flattened_instances_neither_crash_nor_hide_the_rest)
+{
+    SceneData data = one(square(), at_two_metres(1.0));
+    for (int axis = 0; axis < 3; ++axis) {
+        M44d flattened = at_two_metres(1.0);
+        flattened[axis][axis] = 0.0;
+        data.instances.push_back({.mesh = 0, .world_from_object = flattened, .materials = {}});
+    }
+    data.instances.push_back({.mesh = 0, .world_from_object = M44d(0.0), .materials = {}});
+    const Scene scene(data, V3d(0.0));
+    const auto hit = scene.intersect({.direction = V3f(0.1f, 0.2f, -1.0f).normalized()});
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->p_world.z, -2.0f, 1e-5f);
+}
+
 TEST(SurfaceHit, layers_are_read_where_the_ray_met_the_mesh)
 {
     const SceneData data = one(square(), at_two_metres(1.0));
