@@ -80,7 +80,7 @@ std::size_t add_material(SceneBuilder& scene,
                                        {"EMISSION", Surface::Emission},
                                        {"TRANSPARENT", Surface::Transparent}});
     for (const auto& [key, value] : inputs) {
-        MaterialInput Material::*const member = named<MaterialInput Material::*>(
+        const auto member = named<MaterialInput Material::*>(
             "input of material '" + name + "'", key.cast<std::string>(),
             {{"base_color", &Material::base_color},
              {"metallic", &Material::metallic},

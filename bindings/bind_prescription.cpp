@@ -3,8 +3,6 @@
 #include "api/eye.h"
 #include "module.h"
 
-#include <pybind11/operators.h>
-
 namespace eye_render {
 
 namespace {
@@ -68,7 +66,9 @@ void bind_prescription(py::module_& m)
             "power_matrix",
             [](const Prescription& rx) { return power_matrix_tuple(power_matrix_camera(rx)); },
             "Dioptric power matrix in the camera frame.")
-        .def(py::self == py::self);
+        .def(
+            "__eq__", [](const Prescription& a, const Prescription& b) { return a == b; },
+            py::is_operator());
 }
 
 }  // namespace eye_render

@@ -6,6 +6,7 @@
 #include "render/tracer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -91,7 +92,7 @@ std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
     on_threads(threads, [&] {
         trace_samples(job, {.first = 0, .last = luminance_samples}, film, never_cancelled);
     });
-    const Pass combined[] = {Pass::Combined};
+    constexpr std::array combined{Pass::Combined};
     const PassImage image = film.snapshot(combined).front();
     std::vector<Color3f> radiance;
     for (std::size_t i = 0; i < image.pixels.size(); i += 4) {

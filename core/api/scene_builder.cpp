@@ -53,6 +53,7 @@ std::vector<std::string> pick(const std::vector<std::string>& names,
                               const std::vector<int>& layers)
 {
     std::vector<std::string> picked;
+    picked.reserve(layers.size());
     for (const int layer : layers) {
         picked.push_back(names[static_cast<std::size_t>(layer)]);
     }
@@ -192,10 +193,9 @@ void SceneBuilder::set_world(const EnvironmentSettings& world)
 void SceneBuilder::set_camera(const CameraFrame& frame)
 {
     require_unleased();
-    const V3d axes[] = {frame.axis_x, frame.axis_y, frame.axis_z};
     // Also refuses NaN. A sheared parent may tilt the axes against each other, but not flatten
     // them.
-    if (!(std::abs(axes[0].dot(axes[1].cross(axes[2]))) > 1e-6)) {
+    if (!(std::abs(frame.axis_x.dot(frame.axis_y.cross(frame.axis_z))) > 1e-6)) {
         throw std::invalid_argument(
             "the camera's axes span no space; expected an invertible matrix");
     }

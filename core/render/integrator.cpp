@@ -1,5 +1,6 @@
 #include "render/integrator.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -120,7 +121,7 @@ private:
     }
 
     // MIS weight of light that a BSDF-sampled ray found and light sampling finds with `light_pdf`.
-    float weight_against(float light_pdf) const
+    [[nodiscard]] float weight_against(float light_pdf) const
     {
         return last_->is_delta ? 1.0f : power_heuristic(last_->pdf, light_pdf);
     }
@@ -213,7 +214,7 @@ private:
     SampleSequence& sequence_;
     PathRadiance result_;
     Color3f throughput_{1.0f};
-    Scattering scatterings_[2];
+    std::array<Scattering, 2> scatterings_;
     Scattering* last_ = &scatterings_[0];
     Scattering* here_ = &scatterings_[1];  // becomes the last one when the path is scattered here
     float travelled_ = 0.0f;               // from the last scattering, through straight passages

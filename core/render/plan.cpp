@@ -87,6 +87,7 @@ template <typename Lookup>
 std::vector<std::string> names_of(const std::vector<int>& layers, const Lookup& names)
 {
     std::vector<std::string> result;
+    result.reserve(layers.size());
     for (const int layer : layers) {
         result.push_back(names[static_cast<std::size_t>(layer)]);
     }
