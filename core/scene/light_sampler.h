@@ -58,7 +58,7 @@ public:
     // Weighs the lights for the point `p_world`. `n_world` is the unit normal on the side that is
     // lit, or zero where light counts from all sides. Into a place that can be used again, because
     // it is too large to be moved about.
-    void weigh(const V3f& p_world, const V3f& n_world, LitPoint& result) const;
+    void weigh(const V3f& p_world, const V3f& n_world, LitPoint& point) const;
 
     // One light for the point, u in [0,1); nothing if there are no lights.
     [[nodiscard]] std::optional<LightChoice> choose(const LitPoint& point, float u) const;

@@ -1,6 +1,7 @@
 #include "scene/transform.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace eye_render {
@@ -49,7 +50,7 @@ M33f normal_matrix(const M44d& m)
     const V3d x = axis(m, 0);
     const V3d y = axis(m, 1);
     const V3d z = axis(m, 2);
-    const V3d rows[3] = {y.cross(z), z.cross(x), x.cross(y)};
+    const std::array rows{y.cross(z), z.cross(x), x.cross(y)};
     // Objects in micrometres would underflow in float.
     double largest = 0.0;
     for (const V3d& row : rows) {
@@ -57,10 +58,12 @@ M33f normal_matrix(const M44d& m)
     }
     const double scale = (is_mirror(m) ? -1.0 : 1.0) / (largest > 0.0 ? largest : 1.0);
     M33f result;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j) {
-            result[i][j] = static_cast<float>(rows[i][j] * scale);
+    int row_number = 0;
+    for (const V3d& row : rows) {
+        for (int column = 0; column < 3; ++column) {
+            result[row_number][column] = static_cast<float>(row[column] * scale);
         }
+        ++row_number;
     }
     return result;
 }
