@@ -44,7 +44,14 @@ mount --rbind /dev "$folder/dev"
 mount --bind "$root" "$folder/eye_render"
 mount -o remount,bind,ro "$folder/eye_render"
 cp /etc/resolv.conf "$folder/etc/resolv.conf"
+# pip there trusts whom this machine trusts.
+certificates=/etc/ssl/certs/ca-certificates.crt
+if [ -e "$certificates" ]; then
+    mkdir -p "$folder/etc/ssl/certs"
+    cp "$certificates" "$folder$certificates"
+fi
 exec chroot "$folder" /usr/bin/env -i HOME=/root TERM="${TERM:-dumb}" LC_ALL=C.UTF-8 \
     PATH=/usr/sbin:/usr/bin:/sbin:/bin \
+    PIP_CERT="$certificates" \
     EYE_BUILD_DIR=/var/tmp/eye_render/build EYE_OUT_DIR=/var/tmp/eye_render/out \
     /eye_render/run "${@:-test}"
