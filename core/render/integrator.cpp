@@ -215,9 +215,10 @@ private:
     PathRadiance result_;
     Color3f throughput_{1.0f};
     std::array<Scattering, 2> scatterings_;
-    Scattering* last_ = &scatterings_[0];
-    Scattering* here_ = &scatterings_[1];  // becomes the last one when the path is scattered here
-    float travelled_ = 0.0f;               // from the last scattering, through straight passages
+    Scattering* last_ = scatterings_.data();
+    Scattering* here_ =
+        scatterings_.data() + 1;  // becomes the last one when the path is scattered here
+    float travelled_ = 0.0f;      // from the last scattering, through straight passages
     int bounce_ = 0;
     bool has_first_surface_ = false;
 };

@@ -41,11 +41,14 @@ struct MemoryImage {
 // Reads a MemoryImage, whose address the configuration carries.
 class MemoryInput final : public OIIO::ImageInput {
 public:
-    const char* format_name() const override { return "eye_memory"; }
+    [[nodiscard]] const char* format_name() const override { return "eye_memory"; }
 
-    bool open(const std::string&, OIIO::ImageSpec&) override { return false; }
+    bool open(const std::string& /*name*/, OIIO::ImageSpec& /*new_spec*/) override
+    {
+        return false;
+    }
 
-    bool open(const std::string&,
+    bool open(const std::string& /*name*/,
               OIIO::ImageSpec& new_spec,
               const OIIO::ImageSpec& config) override
     {
@@ -61,7 +64,11 @@ public:
 
     bool close() override { return true; }
 
-    bool read_native_scanline(int, int, int y, int, void* data) override
+    bool read_native_scanline(int /*subimage*/,
+                              int /*miplevel*/,
+                              int y,
+                              int /*z*/,
+                              void* data) override
     {
         const std::size_t row_bytes =
             image_->bytes.size() / static_cast<std::size_t>(image_->height);
@@ -305,10 +312,10 @@ Color4f TextureSet::lookup(int texture, const V2f& uv) const
     const float u = reduce_coordinate(uv.x, extension);
     const float v = reduce_coordinate(uv.y, extension);
     OIIO::TextureOpt options = t.lookup_options;
-    float texel[4];
+    std::array<float, 4> texel{};
     // OpenImageIO counts rows from the top.
     if (!impl_->system->texture(t.handle, nullptr, options, u, 1.0f - v, 0, 0, 0, 0, t.channels,
-                                texel)) {
+                                texel.data())) {
         impl_->warn_lookup(texture);
         return magenta();
     }
@@ -318,8 +325,8 @@ Color4f TextureSet::lookup(int texture, const V2f& uv) const
         opaque = coverage(u * static_cast<float>(t.width), t.width, interpolation) *
                  coverage(v * static_cast<float>(t.height), t.height, interpolation);
     }
-    float rgba[4];
-    expand_to_rgba(texel, t.channels, opaque, rgba, 1);
+    std::array<float, 4> rgba{};
+    expand_to_rgba(texel.data(), t.channels, opaque, rgba.data(), 1);
     Color3f color(rgba[0], rgba[1], rgba[2]);
     const float alpha = rgba[3];
     if (t.associated && alpha != 0.0f && alpha != 1.0f) {
@@ -346,12 +353,12 @@ LinearPixels TextureSet::load_linear_pixels(int texture, int max_width) const
     result.rgb.assign(static_cast<std::size_t>(result.width) *
                           static_cast<std::size_t>(result.height),
                       Color3f(0.0f));
-    auto cache = impl_->system->imagecache();
+    const auto& cache = impl_->system->imagecache();
     // Each row of the result is the box-filtered mean of a band of whole rows of the image.
     const auto shrink_row = [&](int row) {
         const int y0 = static_cast<int>(std::int64_t(row) * t->height / result.height);
         const int y1 = static_cast<int>(std::int64_t(row + 1) * t->height / result.height);
-        const std::size_t channels = static_cast<std::size_t>(t->channels);
+        const auto channels = static_cast<std::size_t>(t->channels);
         std::vector<float> band(static_cast<std::size_t>(t->width) *
                                 static_cast<std::size_t>(y1 - y0) * channels);
         if (!cache->get_pixels(t->name, 0, 0, 0, t->width, y0, y1, 0, 1, 0, t->channels,
@@ -366,12 +373,12 @@ LinearPixels TextureSet::load_linear_pixels(int texture, int max_width) const
             Color3f sum(0.0f);
             for (int y = 0; y < y1 - y0; ++y) {
                 for (int i = x0; i < x1; ++i) {
-                    float rgba[4];
+                    std::array<float, 4> rgba{};
                     expand_to_rgba(
                         &band[(static_cast<std::size_t>(y) * static_cast<std::size_t>(t->width) +
                                static_cast<std::size_t>(i)) *
                               channels],
-                        t->channels, 1.0f, rgba, 1);
+                        t->channels, 1.0f, rgba.data(), 1);
                     const bool srgb = t->options.colorspace == Colorspace::Srgb;
                     for (int c = 0; c < 3; ++c) {
                         sum[c] += srgb ? linear_from_srgb(rgba[c]) : rgba[c];

@@ -52,8 +52,8 @@ class TextureSet {
 public:
     TextureSet();
     ~TextureSet();
-    TextureSet(TextureSet&&) noexcept;
-    TextureSet& operator=(TextureSet&&) noexcept;
+    TextureSet(TextureSet&& other) noexcept;
+    TextureSet& operator=(TextureSet&& other) noexcept;
 
     // Each returns the texture's index. A file that cannot be read becomes magenta and adds a
     // warning; pixels whose count does not fit their size throw std::invalid_argument.
