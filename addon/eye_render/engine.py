@@ -14,6 +14,7 @@ class EyeRenderEngine(bpy.types.RenderEngine):
     bl_idname = "EYE_RENDER"
     bl_label = "Eye Render"
     bl_use_preview = False
+    bl_use_eevee_viewport = True  # Material Preview
     bl_use_shading_nodes_custom = False  # the node editor offers the nodes of Cycles and EEVEE
 
     def update_render_passes(self, scene, renderlayer):

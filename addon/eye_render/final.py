@@ -96,6 +96,7 @@ def _render_view(
     with RenderSession(core_scene, observer, core_settings) as session:
         for line in session.plan_text.strip().splitlines():
             _say(line)
+        _say(f"pupil: {session.pupil_report}")
         for sentence in session.warnings:
             warn(sentence)
         _stamp(engine, {**session.metadata, "eye": eye.lower()}, view_name)

@@ -114,12 +114,12 @@ void Environment::build_table()
     // A cell gets the mean of the picture as it is looked up. Bilinear interpolation spreads each
     // pixel: its integral over a cell has the weights 1/8, 6/8, 1/8 along either axis.
     const auto spread_luminance = [&](int x, int y) {
-        constexpr float weight[3] = {0.125f, 0.75f, 0.125f};
+        const auto weight = [](int offset) { return offset == 0 ? 0.75f : 0.125f; };
         float sum = 0.0f;
-        for (int j = 0; j < 3; ++j) {
-            const int row = std::clamp(y + j - 1, 0, height - 1);
-            for (int i = 0; i < 3; ++i) {
-                sum += weight[i] * weight[j] * luminance_at((x + i - 1 + width) % width, row);
+        for (int j = -1; j <= 1; ++j) {
+            const int row = std::clamp(y + j, 0, height - 1);
+            for (int i = -1; i <= 1; ++i) {
+                sum += weight(i) * weight(j) * luminance_at((x + i + width) % width, row);
             }
         }
         return sum;

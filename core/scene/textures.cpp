@@ -380,9 +380,10 @@ LinearPixels TextureSet::load_linear_pixels(int texture, int max_width) const
                               channels],
                         t->channels, 1.0f, rgba.data(), 1);
                     const bool srgb = t->options.colorspace == Colorspace::Srgb;
-                    for (int c = 0; c < 3; ++c) {
-                        sum[c] += srgb ? linear_from_srgb(rgba[c]) : rgba[c];
-                    }
+                    const Color3f encoded(rgba[0], rgba[1], rgba[2]);
+                    sum += srgb ? Color3f(linear_from_srgb(encoded.x), linear_from_srgb(encoded.y),
+                                          linear_from_srgb(encoded.z))
+                                : encoded;
                 }
             }
             out[x] = sum / static_cast<float>((y1 - y0) * (x1 - x0));
