@@ -99,6 +99,10 @@ class RenderSession:
         return self._core.plan_text
 
     @property
+    def pupil_report(self) -> str:
+        return self._core.pupil_report
+
+    @property
     def warnings(self) -> list[str]:
         return self._core.warnings
 

@@ -54,7 +54,7 @@ public:
 
     [[nodiscard]] EyeRay ray(const V2d& chief_slope,
                              const V2d& pupil_point_m,
-                             double) const override
+                             double /*wavelength_nm*/) const override
     {
         const double along = std::abs(axis_camera_.dot(pupil_point_m));
         const double across = std::abs(axis_camera_.cross(pupil_point_m));

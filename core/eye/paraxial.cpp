@@ -19,7 +19,7 @@ public:
 
     [[nodiscard]] EyeRay ray(const V2d& chief_slope,
                              const V2d& pupil_point_m,
-                             double) const override
+                             double /*wavelength_nm*/) const override
     {
         return {.origin_eye_m = {pupil_point_m.x, pupil_point_m.y, 0.0},
                 .slope = chief_slope - retinal_conjugate_d_ * pupil_point_m};
