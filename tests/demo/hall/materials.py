@@ -125,6 +125,6 @@ def _either(inputs, new: str, old: str):
 
 def _new_glossy(tree):
     try:
-        return tree.nodes.new("ShaderNodeBsdfAnisotropic")  # since Blender 4
-    except RuntimeError:
         return tree.nodes.new("ShaderNodeBsdfGlossy")
+    except RuntimeError:
+        return tree.nodes.new("ShaderNodeBsdfAnisotropic")  # Glossy since Blender 4
