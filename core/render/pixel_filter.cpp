@@ -34,7 +34,7 @@ PixelFilter::PixelFilter(double width_px)
             const double middle = 0.5 * (low + high);
             (blackman_harris_cdf(middle) < target ? low : high) = middle;
         }
-        inverse_cdf_[i] = low * width_px;
+        inverse_cdf_[i] = 2.0 * low * width_px;
     }
 }
 

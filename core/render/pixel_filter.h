@@ -10,7 +10,8 @@
 
 namespace eye_render {
 
-// Blackman-Harris window (Harris 1978, 4 terms), separable, over `width_px` pixels in all.
+// Blackman-Harris window (Harris 1978, 4 terms), separable. `width_px` means what it does in
+// Cycles: the window reaches that far to each side.
 class PixelFilter {
 public:
     // Throws std::invalid_argument unless width_px is 0.01 to 10.

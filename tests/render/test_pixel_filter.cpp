@@ -7,17 +7,17 @@
 namespace eye_render {
 namespace {
 
-TEST(PixelFilter, spreads_over_its_width_and_no_further)
+TEST(PixelFilter, spreads_over_its_width_to_each_side_and_no_further)
 {
     const PixelFilter filter(1.5);
-    EXPECT_NEAR(filter.sample({0.0f, 0.0f}).x, -0.75, 1e-9);
-    EXPECT_NEAR(filter.sample({0.99999994f, 0.0f}).x, 0.75, 1e-3);
+    EXPECT_NEAR(filter.sample({0.0f, 0.0f}).x, -1.5, 1e-9);
+    EXPECT_NEAR(filter.sample({0.99999994f, 0.0f}).x, 1.5, 2e-3);
     EXPECT_NEAR(filter.sample({0.5f, 0.5f}).x, 0.0, 1e-9);
 }
 
 TEST(PixelFilter, has_the_standard_deviation_of_a_blackman_harris_window)
 {
-    const PixelFilter filter(2.0);
+    const PixelFilter filter(1.0);
     double sum = 0.0;
     constexpr int n = 4096;
     for (int i = 0; i < n; ++i) {
