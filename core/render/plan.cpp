@@ -146,7 +146,7 @@ void plan_lens(RenderPlan& plan,
                const EyeModel& eye)
 {
     plan.largest_blur_px = largest_blur_px(scene, frame, eye);
-    // A blur circle one pixel wide is where the pixel filter, itself 1.5 pixels wide, hides it.
+    // A blur circle one pixel wide is where the wider pixel filter hides it.
     // NaN falls to the lens, which costs time but never blur.
     plan.lens = !(plan.largest_blur_px < 1.0);
 }

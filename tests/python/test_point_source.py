@@ -13,8 +13,9 @@ SIZE_PX = 112
 SAMPLES = 512
 PAPER_EYE_M = 0.017
 
-# The variance of the 1.5 px Blackman-Harris window that spreads every sample, in square pixels.
-FILTER_VARIANCE_PX2 = 0.0433
+# The variance of the Blackman-Harris window that spreads every sample, 1.5 px to each side, in
+# square pixels.
+FILTER_VARIANCE_PX2 = 0.173
 
 
 def disk_scene(disk_slope: float, half_slope: float) -> eyecore.Scene:
