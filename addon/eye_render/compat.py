@@ -1,5 +1,7 @@
 """What differs between Blender 3.4 and 5.2, and nothing else looks at versions."""
 
+import math
+
 import bpy
 import numpy as np
 
@@ -26,10 +28,12 @@ def world_of(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bpy.typ
 
 
 def light_factor(light: bpy.types.Light) -> tuple[np.ndarray, bool]:
-    """What newer lights multiply their colour by, and whether energy is spread over their area."""
+    """What this Blender multiplies a light's colour by, and whether energy is spread over their area."""
     factor = np.full(3, 2.0 ** getattr(light, "exposure", 0.0))
     if getattr(light, "use_temperature", False):
         factor *= np.array(light.temperature_color)
+    if light.type == "AREA" and bpy.app.version < (4, 0, 0):
+        factor *= math.pi / 4  # what such a Cycles makes of a watt
     return factor, getattr(light, "normalize", True)
 
 

@@ -1,5 +1,5 @@
-// From Blender's numbers to radiance. Measured with Blender 3.4.1's Cycles on a white plane to
-// 0.1 % (tests/scene/test_lamp.cpp has the figures); P is colour times energy.
+// From Blender's numbers to radiance. Measured with Blender's Cycles on a white plane to 0.1 %
+// (tests/scene/lamp_figures.h); P is colour times energy.
 //
 // Point and spot, P in watts: a sphere of radius r that radiates L everywhere emits
 // P = pi L 4 pi r^2, hence L = P / (4 pi^2 r^2), and its intensity is pi r^2 L = P / (4 pi)
@@ -10,8 +10,7 @@
 // radiance gives L pi sin^2 h, hence L = P / (pi sin^2 h). (Blender 3.4's sun samples the tangent
 // plane instead and gives P times 1 - tan^2(h) / 4: 5e-6 less for the real sun.)
 //
-// Area, P in watts: Blender gives L = P / (4 A), not the P / (pi A) of a Lambertian emitter; the
-// quarter is a convention. With a grid of half spread h the radiance is
+// Area, P in watts: a Lambertian emitter, L = P / (pi A). With a grid of half spread h it is
 // L (1 - tan a / tan h) tan h / (tan h - h) at the angle a, which leaves the flux unchanged:
 // the integral of 2 cos a sin a (1 - tan a / tan h) from 0 to h is 1 - h / tan h.
 
@@ -100,7 +99,7 @@ void make_area(Lamp& lamp, const LampSettings& settings, const V3f& scale)
     lamp.shape = settings.shape;
     lamp.half_x = 0.5f * std::max(minimum_area_size, settings.size_x * scale.x);
     lamp.half_y = 0.5f * std::max(minimum_area_size, settings.size_y * scale.y);
-    double gain = 0.25 / area_lamp_area(lamp);
+    double gain = 1.0 / (pi_d * area_lamp_area(lamp));
     if (settings.spread_rad < open_spread_rad) {
         const double half = 0.5 * std::max<double>(settings.spread_rad, minimum_spread_rad);
         const double cotangent = 1.0 / std::tan(half);
