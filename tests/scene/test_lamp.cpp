@@ -333,7 +333,7 @@ TEST(Lamp, refuses_what_is_no_lamp)
     const Lamp flat = make_lamp(
         at({.kind = LampKind::Area, .color = Color3f(100.0f), .size_x = 0.0f, .size_y = 0.1f},
            {0, 0, 2}));
-    EXPECT_NEAR(irradiance(flat, origin, up), 6.25, 0.01);
+    EXPECT_NEAR(irradiance(flat, origin, up), 7.9577, 0.01);  // P / (pi d^2)
 }
 
 }  // namespace
