@@ -39,6 +39,30 @@ py::tuple rays(const EyeModel& eye,
     return py::make_tuple(origin, slope, weight);
 }
 
+std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
+                                               const py::object& rx,
+                                               const std::string& rx_plane,
+                                               double vertex_mm,
+                                               double pupil_mm,
+                                               double accommodation_d,
+                                               const std::string& correction,
+                                               const py::object& worn,
+                                               bool near_part)
+{
+    EyeDescription description{.model = named_of("model", model, eye_model_kinds),
+                               .rx = prescription_from_python(rx),
+                               .rx_plane = named_of("rx_plane", rx_plane, rx_planes),
+                               .vertex_mm = vertex_mm,
+                               .pupil_mm = pupil_mm,
+                               .accommodation_d = accommodation_d,
+                               .correction = named_of("correction", correction, corrections),
+                               .near_part = near_part};
+    if (!worn.is_none()) {
+        description.worn = prescription_from_python(worn);
+    }
+    return make_eye(description);
+}
+
 }  // namespace
 
 void bind_eye(py::module_& m)
@@ -58,19 +82,10 @@ void bind_eye(py::module_& m)
         .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin);
 
     py::class_<EyeModel, std::shared_ptr<EyeModel>>(m, "Eye", "An eye as a model sees through it.")
-        .def(py::init([](const std::string& model, const py::object& rx,
-                         const std::string& rx_plane, double vertex_mm, double pupil_mm,
-                         double accommodation_d) {
-                 return std::shared_ptr<EyeModel>(
-                     make_eye(EyeDescription{.model = named_of("model", model, eye_model_kinds),
-                                             .rx = prescription_from_python(rx),
-                                             .rx_plane = named_of("rx_plane", rx_plane, rx_planes),
-                                             .vertex_mm = vertex_mm,
-                                             .pupil_mm = pupil_mm,
-                                             .accommodation_d = accommodation_d}));
-             }),
-             "model"_a = "paraxial", "rx"_a = "plano", "rx_plane"_a = "spectacle",
-             "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0, "accommodation_d"_a = 0.0)
+        .def(py::init(&make_eye_from_python), "model"_a = "paraxial", "rx"_a = "plano",
+             "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0,
+             "accommodation_d"_a = 0.0, py::kw_only(), "correction"_a = "none",
+             "worn"_a = py::none(), "near_part"_a = false)
         .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
              "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
              "2).")

@@ -23,13 +23,21 @@ Observer make_observer(const std::string& model,
                        const std::string& pupil_formula,
                        double cd_m2_per_unit,
                        double luminance_sigma,
-                       const py::object& focus)
+                       const py::object& focus,
+                       const std::string& correction,
+                       const py::object& worn,
+                       bool near_part)
 {
     Observer observer;
-    observer.model = named_of("model", model, eye_model_kinds);
-    observer.rx = prescription_from_python(rx);
-    observer.rx_plane = named_of("rx_plane", rx_plane, rx_planes);
-    observer.vertex_mm = vertex_mm;
+    observer.eye.correction = named_of("correction", correction, corrections);
+    if (!worn.is_none()) {
+        observer.eye.worn = prescription_from_python(worn);
+    }
+    observer.eye.near_part = near_part;
+    observer.eye.model = named_of("model", model, eye_model_kinds);
+    observer.eye.rx = prescription_from_python(rx);
+    observer.eye.rx_plane = named_of("rx_plane", rx_plane, rx_planes);
+    observer.eye.vertex_mm = vertex_mm;
     observer.age_years = age_years;
     if (const auto diameter_mm = number_from(pupil)) {
         observer.pupil_mm = *diameter_mm;
@@ -62,7 +70,9 @@ RenderSettings make_settings(std::uint32_t samples,
                              const std::vector<std::string>& passes,
                              int threads,
                              bool film_transparent,
-                             double filter_width_px)
+                             double filter_width_px,
+                             bool chromatic,
+                             bool stiles_crawford)
 {
     RenderSettings settings;
     settings.samples = samples;
@@ -83,6 +93,8 @@ RenderSettings make_settings(std::uint32_t samples,
     settings.threads = threads;
     settings.film_transparent = film_transparent;
     settings.filter_width_px = filter_width_px;
+    settings.chromatic = chromatic;
+    settings.stiles_crawford = stiles_crawford;
     return settings;
 }
 
@@ -149,14 +161,17 @@ void bind_render(py::module_& m)
         .def(py::init(&make_observer), py::kw_only(), "model"_a = "paraxial", "rx"_a = "plano",
              "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "age_years"_a = 30.0,
              "pupil"_a = "auto", "pupil_formula"_a = "WATSON_YELLOTT", "cd_m2_per_unit"_a = 179.0,
-             "luminance_sigma"_a = 0.5, "focus"_a = "relaxed",
-             "pupil: 'auto' or mm. focus: 'relaxed', 'center' or metres.");
+             "luminance_sigma"_a = 0.5, "focus"_a = "relaxed", "correction"_a = "none",
+             "worn"_a = py::none(), "near_part"_a = false,
+             "pupil: 'auto' or mm. focus: 'relaxed', 'center' or metres. correction: 'none',\n"
+             "'glasses' or 'contacts', made to `worn`, by default the eye's own prescription.");
 
     py::class_<RenderSettings>(m, "Settings", "How it is rendered.")
         .def(py::init(&make_settings), py::kw_only(), "samples"_a = 64, "max_bounces"_a = 8,
              "seed"_a = 0, "sample_range"_a = py::none(), "pattern"_a = "SOBOL",
              "passes"_a = std::vector<std::string>{"Combined"}, "threads"_a = 0,
-             "film_transparent"_a = false, "filter_width_px"_a = 1.5,
+             "film_transparent"_a = false, "filter_width_px"_a = 1.5, "chromatic"_a = false,
+             "stiles_crawford"_a = false,
              "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
              "all.");
 

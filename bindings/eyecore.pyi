@@ -61,6 +61,10 @@ class Eye:
         vertex_mm: float = 12.0,
         pupil_mm: float = 4.0,
         accommodation_d: float = 0.0,
+        *,
+        correction: str = "none",
+        worn: Prescription | str | None = None,
+        near_part: bool = False,
     ) -> None: ...
     def rays(
         self, chief_slope: ArrayLike, pupil_point_m: ArrayLike, wavelength_nm: float = 555.0
@@ -181,6 +185,9 @@ class Observer:
         cd_m2_per_unit: float = 179.0,
         luminance_sigma: float = 0.5,
         focus: float | str = "relaxed",
+        correction: str = "none",
+        worn: Prescription | str | None = None,
+        near_part: bool = False,
     ) -> None: ...
 
 class Settings:
@@ -196,6 +203,8 @@ class Settings:
         threads: int = 0,
         film_transparent: bool = False,
         filter_width_px: float = 1.5,
+        chromatic: bool = False,
+        stiles_crawford: bool = False,
     ) -> None: ...
 
 class Session:

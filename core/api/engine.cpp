@@ -44,7 +44,10 @@ void require_valid(const Observer& observer)
     if (observer.pupil_mm) {
         require_range("pupil", *observer.pupil_mm, 0.0, 9.0, "mm");
     }
-    eye_render::require_valid(observer.rx);
+    eye_render::require_valid(observer.eye.rx);
+    if (observer.eye.worn) {
+        eye_render::require_valid(*observer.eye.worn);
+    }
 }
 
 }  // namespace
@@ -90,7 +93,7 @@ std::vector<std::string> Engine::warnings() const
 
 std::string Engine::pupil_report() const
 {
-    if (observer_.model == EyeModelKind::Pinhole) {
+    if (observer_.eye.model == EyeModelKind::Pinhole) {
         return "a pinhole";
     }
     std::string text = number_text(eye_.pupil_mm) + " mm";
@@ -105,9 +108,9 @@ std::string Engine::pupil_report() const
 std::map<std::string, std::string> Engine::metadata() const
 {
     std::map<std::string, std::string> entries{
-        {"rx", format_prescription(observer_.rx)},
-        {"rx_plane", std::string(to_string(observer_.rx_plane))},
-        {"model", std::string(to_string(observer_.model))},
+        {"rx", format_prescription(observer_.eye.rx)},
+        {"rx_plane", std::string(to_string(observer_.eye.rx_plane))},
+        {"model", std::string(to_string(observer_.eye.model))},
         {"pupil_mm", number_text(eye_.pupil_mm)},
         {"accommodation_d", number_text(eye_.accommodation_d)},
         {"age_years", number_text(observer_.age_years)},
@@ -117,15 +120,23 @@ std::map<std::string, std::string> Engine::metadata() const
         {"filter_width_px", number_text(settings_.filter_width_px)},
         {"pupil_pattern", std::string(to_string(settings_.pattern))},
     };
-    if (observer_.rx_plane == RxPlane::Spectacle) {
-        entries["vertex_mm"] = number_text(observer_.vertex_mm);
+    if (observer_.eye.rx_plane == RxPlane::Spectacle) {
+        entries["vertex_mm"] = number_text(observer_.eye.vertex_mm);
     }
-    if (!observer_.pupil_mm && observer_.model != EyeModelKind::Pinhole) {
+    if (!observer_.pupil_mm && observer_.eye.model != EyeModelKind::Pinhole) {
         entries["pupil_formula"] = to_string(observer_.pupil_formula);
         entries["luminance_cd_m2"] = number_text(eye_.luminance_cd_m2);
         entries["cd_m2_per_unit"] = number_text(observer_.cd_m2_per_unit);
         entries["luminance_sigma"] = number_text(observer_.luminance_sigma);
         entries["field_area_deg2"] = number_text(eye_.field_area_deg2);
+    }
+    if (observer_.eye.correction != Correction::None) {
+        entries["correction"] = to_string(observer_.eye.correction);
+        entries["worn"] =
+            observer_.eye.worn ? format_prescription(*observer_.eye.worn) : "full correction";
+        if (observer_.eye.near_part) {
+            entries["worn_part"] = "near";
+        }
     }
     entries["focus"] = to_string(observer_.focus);
     if (observer_.focus != FocusMode::Relaxed) {

@@ -7,6 +7,55 @@
 
 namespace eye_render {
 
+namespace {
+
+// The eye's own prescription as a lens in the plane of the correction, so that it sees well.
+Prescription full_correction(const EyeDescription& description, Correction correction)
+{
+    const double lens_m = correction == Correction::Glasses
+                              ? m_from_mm(description.vertex_mm) + cornea_to_entrance_pupil_m
+                              : cornea_to_entrance_pupil_m;
+    const double written_m = description.rx_plane == RxPlane::Spectacle
+                                 ? m_from_mm(description.vertex_mm) + cornea_to_entrance_pupil_m
+                             : description.rx_plane == RxPlane::Cornea ? cornea_to_entrance_pupil_m
+                                                                       : 0.0;
+    if (lens_m == written_m) {
+        return description.rx;
+    }
+    Prescription lens =
+        prescription_from(moved_toward_eye(power_matrix_tabo(description.rx), written_m - lens_m));
+    lens.add_d = description.rx.add_d;
+    return lens;
+}
+
+std::optional<WornLens> worn_lens(const EyeDescription& description)
+{
+    if (description.correction == Correction::None) {
+        return std::nullopt;
+    }
+    Prescription rx =
+        description.worn.value_or(full_correction(description, description.correction));
+    if (description.correction == Correction::Contacts) {
+        return contact_lens(rx);
+    }
+    if (description.near_part) {
+        rx.sphere_d += rx.add_d;
+    }
+    return glasses(rx, m_from_mm(description.vertex_mm));
+}
+
+}  // namespace
+
+std::string_view to_string(Correction correction)
+{
+    switch (correction) {
+    case Correction::None: return "none";
+    case Correction::Glasses: return "glasses";
+    case Correction::Contacts: return "contacts";
+    }
+    return "";
+}
+
 std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
 {
     return make_eye(EyeSpec{.model = description.model,
@@ -14,7 +63,8 @@ std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
                             .rx_plane = description.rx_plane,
                             .vertex_m = m_from_mm(description.vertex_mm),
                             .pupil_diameter_m = m_from_mm(description.pupil_mm),
-                            .accommodation_d = description.accommodation_d});
+                            .accommodation_d = description.accommodation_d,
+                            .worn = worn_lens(description)});
 }
 
 BlurEllipse blur_at(const EyeModel& eye, double object_distance_m)
@@ -23,8 +73,7 @@ BlurEllipse blur_at(const EyeModel& eye, double object_distance_m)
         throw std::invalid_argument("distance_m is " + number_text(object_distance_m) +
                                     " m; expected above 0");
     }
-    return blur_ellipse(eye.retinal_conjugate_d() - PowerMatrix::sphere(1.0 / object_distance_m),
-                        eye.pupil_diameter_m());
+    return blur_ellipse(eye.error_d(1.0 / object_distance_m), eye.pupil_diameter_m());
 }
 
 double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions)

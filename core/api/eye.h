@@ -10,17 +10,33 @@
 #include "optics/prescription.h"
 #include "optics/prescription_text.h"
 
+#include <array>
 #include <memory>
+#include <optional>
+#include <string_view>
 
 namespace eye_render {
 
+enum class Correction { None, Glasses, Contacts };
+
+inline constexpr std::array corrections{Correction::None, Correction::Glasses,
+                                        Correction::Contacts};
+
+// "none", "glasses", "contacts".
+[[nodiscard]] std::string_view to_string(Correction correction);
+
 struct EyeDescription {
     EyeModelKind model = EyeModelKind::Paraxial;
-    Prescription rx{};
+    Prescription rx{};  // the eye's own
     RxPlane rx_plane = RxPlane::Spectacle;
-    double vertex_mm = 12.0;
+    double vertex_mm = 12.0;  // of the refraction, and of glasses
     double pupil_mm = 4.0;
     double accommodation_d = 0.0;
+    Correction correction = Correction::None;
+    // What the lenses are made to: as written for glasses or, for contacts, for the cornea.
+    // Nothing: the eye's own prescription, referred to the lens's plane.
+    std::optional<Prescription> worn{};
+    bool near_part = false;  // glasses: looks through the part with the reading addition
 };
 
 // Throws std::invalid_argument with name, value, unit and range.

@@ -20,15 +20,14 @@ enum class FocusMode { Relaxed, Distance, Center };
 [[nodiscard]] std::string_view to_string(FocusMode mode);
 
 struct Observer {
-    EyeModelKind model = EyeModelKind::Paraxial;
-    Prescription rx{};
-    RxPlane rx_plane = RxPlane::Spectacle;
-    double vertex_mm = 12.0;
+    EyeDescription eye{};  // its pupil and accommodation are found, and not read
     double age_years = 30.0;
     std::optional<double> pupil_mm;  // nothing: from the light of the scene
     PupilFormula pupil_formula = PupilFormula::WatsonYellott;
     double cd_m2_per_unit = 179.0;  // luminance of radiance 1 in all channels
     double luminance_sigma = 0.5;   // of the Gaussian weight, in half picture heights and widths
+    std::optional<double> field_area_deg2;  // that the pupil adapts to; nothing: the picture's
+    int eyes = 2;                           // that see the light, 1 or 2
     FocusMode focus = FocusMode::Relaxed;
     double focus_distance_m = 0.0;  // with FocusMode::Distance, from the entrance pupil
 };
@@ -43,6 +42,8 @@ struct RenderSettings {
     int threads = 0;  // 0: all the processor has
     bool film_transparent = false;
     double filter_width_px = 1.5;
+    bool chromatic = false;        // each path at a wavelength of its own
+    bool stiles_crawford = false;  // cones favour light from the middle of the pupil
 };
 
 }  // namespace eye_render

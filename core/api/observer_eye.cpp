@@ -21,19 +21,13 @@ constexpr int luminance_size_px = 64;
 constexpr std::uint32_t luminance_samples = 32;
 constexpr int luminance_bounces = 4;
 
-EyeDescription described(const Observer& observer)
-{
-    return {.model = observer.model,
-            .rx = observer.rx,
-            .rx_plane = observer.rx_plane,
-            .vertex_mm = observer.vertex_mm};
-}
-
 double focus_distance_m(const Observer& observer, const Scene& scene, const CameraFrame& frame)
 {
     switch (observer.focus) {
     case FocusMode::Distance:
-        require_range("focus distance", observer.focus_distance_m, 0.01, 1e12, "m");
+        if (observer.focus_distance_m != std::numeric_limits<double>::infinity()) {
+            require_range("focus distance", observer.focus_distance_m, 0.01, 1e12, "m");
+        }
         return observer.focus_distance_m;
     case FocusMode::Center:
         return distance_along_m(scene, frame,
@@ -49,11 +43,12 @@ void accommodate(ObserverEye& eye, const Observer& observer)
     if (observer.focus == FocusMode::Relaxed) {
         return;
     }
-    // The relaxed eye's K is minus its prescription at the plane where its own model works.
-    const PowerMatrix rx = PowerMatrix{} - make_eye(described(observer))->retinal_conjugate_d();
+    EyeDescription relaxed = observer.eye;
+    relaxed.accommodation_d = 0.0;
+    const PowerMatrix error_d = make_eye(relaxed)->error_d(1.0 / eye.focus_distance_m);
     const double amplitude_d = accommodation_amplitude_d(observer.age_years);
-    const double wanted_d = 1.0 / eye.focus_distance_m + rx.mean_d();
-    eye.accommodation_d = best_accommodation_d(rx, 1.0 / eye.focus_distance_m, amplitude_d);
+    const double wanted_d = -error_d.mean_d();
+    eye.accommodation_d = best_accommodation_d(error_d, amplitude_d);
     const std::string object = std::isfinite(eye.focus_distance_m)
                                    ? "at " + number_text(eye.focus_distance_m) + " m"
                                    : "far away";
@@ -120,18 +115,18 @@ void adapt_pupil(ObserverEye& eye,
         {.weights = as_in_paper ? LuminanceWeights::Paper : LuminanceWeights::Rec709,
          .sigma = observer.luminance_sigma,
          .cd_m2_per_unit = observer.cd_m2_per_unit});
-    eye.field_area_deg2 = field_area_deg2({.left = frame.slope_left,
-                                           .right = frame.slope_right,
-                                           .bottom = frame.slope_bottom,
-                                           .top = frame.slope_top});
+    eye.field_area_deg2 =
+        observer.field_area_deg2.value_or(field_area_deg2({.left = frame.slope_left,
+                                                           .right = frame.slope_right,
+                                                           .bottom = frame.slope_bottom,
+                                                           .top = frame.slope_top}));
     const PupilSize size =
         pupil_size(observer.pupil_formula, {.luminance_cd_m2 = eye.luminance_cd_m2,
                                             .area_deg2 = eye.field_area_deg2,
-                                            .age_years = observer.age_years});
+                                            .age_years = observer.age_years,
+                                            .eyes = observer.eyes});
     eye.pupil_mm = mm_from_m(size.diameter_m);
-    for (const std::string& clamp : size.clamps) {
-        eye.notes.push_back("pupil: " + clamp);
-    }
+    eye.pupil_clamps = size.clamps;
 }
 
 }  // namespace
@@ -153,13 +148,13 @@ ObserverEye make_observer_eye(const Observer& observer,
 {
     ObserverEye eye;
     eye.focus_distance_m = focus_distance_m(observer, *scene, frame);
-    if (observer.model == EyeModelKind::Pinhole) {
+    if (observer.eye.model == EyeModelKind::Pinhole) {
         eye.model = make_eye(EyeDescription{.model = EyeModelKind::Pinhole});
         return eye;
     }
     accommodate(eye, observer);
     adapt_pupil(eye, observer, scene, frame, threads);
-    EyeDescription description = described(observer);
+    EyeDescription description = observer.eye;
     description.pupil_mm = eye.pupil_mm;
     description.accommodation_d = eye.accommodation_d;
     eye.model = make_eye(description);

@@ -21,7 +21,8 @@ struct ObserverEye {
     // What an automatic pupil answered to; 0 with a manual one.
     double luminance_cd_m2 = 0.0;
     double field_area_deg2 = 0.0;
-    std::vector<std::string> notes;  // clamps that acted, in sentences
+    std::vector<std::string> pupil_clamps;  // as PupilSize has them
+    std::vector<std::string> notes;         // on accommodation, in sentences
 };
 
 // Looks along the axis for FocusMode::Center, and traces a small picture for an automatic pupil,

@@ -29,9 +29,9 @@ double accommodation_amplitude_d(double age_years, AmplitudeFormula formula)
     return std::max(0.0, unclamped_amplitude_d(std::max(3.0, age_years), formula));
 }
 
-double best_accommodation_d(const PowerMatrix& rx, double object_vergence_d, double amplitude_d)
+double best_accommodation_d(const PowerMatrix& relaxed_error_d, double amplitude_d)
 {
-    return std::clamp(object_vergence_d + rx.mean_d(), 0.0, amplitude_d);
+    return std::clamp(-relaxed_error_d.mean_d(), 0.0, amplitude_d);
 }
 
 double far_vergence_d(const PowerMatrix& rx) { return -rx.mean_d(); }

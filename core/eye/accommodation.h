@@ -22,11 +22,10 @@ enum class AmplitudeFormula {
     double age_years,
     AmplitudeFormula formula = AmplitudeFormula::HofstetterMean);
 
-// The accommodation, 0 to `amplitude_d`, that blurs an object at `object_vergence_d` least: it
-// puts the circle of least confusion on the retina, as far as the amplitude allows.
-[[nodiscard]] double best_accommodation_d(const PowerMatrix& rx,
-                                          double object_vergence_d,
-                                          double amplitude_d);
+// The accommodation, 0 to `amplitude_d`, that blurs an object least which the relaxed eye sees
+// with the error `relaxed_error_d`: it puts the circle of least confusion on the retina, as far as
+// the amplitude allows.
+[[nodiscard]] double best_accommodation_d(const PowerMatrix& relaxed_error_d, double amplitude_d);
 
 // Vergence of the mean far point: positive before the eye, 0 at infinity, negative behind it.
 [[nodiscard]] double far_vergence_d(const PowerMatrix& rx);

@@ -25,6 +25,18 @@ PowerMatrix rx_as_written(const EyeSpec& spec)
     return power;
 }
 
+std::unique_ptr<EyeModel> make_bare_eye(const EyeSpec& spec)
+{
+    const PowerMatrix rx_entrance_pupil = rx_at_entrance_pupil(spec);
+    if (spec.model == EyeModelKind::Paper) {
+        require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
+        return make_paper_eye(rx_as_written(spec), spec.accommodation_d, spec.pupil_diameter_m,
+                              spec.eye_length_m);
+    }
+    return make_paraxial_eye(PowerMatrix::sphere(spec.accommodation_d) - rx_entrance_pupil,
+                             spec.pupil_diameter_m);
+}
+
 }  // namespace
 
 std::string_view to_string(RxPlane plane)
@@ -61,15 +73,9 @@ std::unique_ptr<EyeModel> make_eye(const EyeSpec& spec)
     require_range("pupil_mm", mm_from_m(spec.pupil_diameter_m), 0.0,
                   mm_from_m(max_pupil_diameter_m), "mm");
     require_range("accommodation_d", spec.accommodation_d, 0.0, max_accommodation_d, "D");
-    const PowerMatrix rx_entrance_pupil = rx_at_entrance_pupil(spec);
+    std::unique_ptr<EyeModel> eye = make_bare_eye(spec);
     if (spec.model == EyeModelKind::Pinhole) return make_pinhole_eye();
-    if (spec.model == EyeModelKind::Paper) {
-        require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
-        return make_paper_eye(rx_as_written(spec), spec.accommodation_d, spec.pupil_diameter_m,
-                              spec.eye_length_m);
-    }
-    return make_paraxial_eye(PowerMatrix::sphere(spec.accommodation_d) - rx_entrance_pupil,
-                             spec.pupil_diameter_m);
+    return spec.worn ? make_corrected_eye(std::move(eye), *spec.worn) : std::move(eye);
 }
 
 }  // namespace eye_render

@@ -3,10 +3,12 @@
 #pragma once
 
 #include "eye/eye_model.h"
+#include "eye/worn_lens.h"
 #include "optics/prescription.h"
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 #include <variant>
 
@@ -30,12 +32,8 @@ inline constexpr std::array rx_planes{RxPlane::Spectacle, RxPlane::Cornea, RxPla
 // "spectacle", "cornea", "entrance_pupil".
 [[nodiscard]] std::string_view to_string(RxPlane plane);
 
-// The entrance pupil behind the cornea: 3.04 mm in the schematic eyes of Le Grand and Navarro.
-inline constexpr double cornea_to_entrance_pupil_m = 3.05e-3;
-
 inline constexpr double max_pupil_diameter_m = 9e-3;
 inline constexpr double max_accommodation_d = 20.0;
-inline constexpr double max_vertex_m = 20e-3;
 
 struct EyeSpec {
     EyeModelKind model = EyeModelKind::Paraxial;
@@ -47,6 +45,7 @@ struct EyeSpec {
     double pupil_diameter_m = 4e-3;  // of the entrance pupil, 0 for none
     double accommodation_d = 0.0;    // referred to the entrance pupil
     double eye_length_m = 17e-3;     // the paper's d_eye; used with EyeModelKind::Paper
+    std::optional<WornLens> worn{};  // what the eye looks through; the pinhole ignores it
 };
 
 // The prescription referred to the entrance pupil, camera frame. Throws std::invalid_argument for

@@ -34,9 +34,16 @@ public:
                                      const V2d& pupil_point_m,
                                      double wavelength_nm) const = 0;
 
-    // K, the conjugate vergence of the retina in dioptres near the axis, camera frame: an object
-    // at distance x is blurred by E = K - I/x. Zero for a pinhole, which has no blur at all.
+    // K, the conjugate vergence of the retina in dioptres near the axis at 555 nm, camera frame.
+    // Zero for a pinhole, which has no blur at all.
     [[nodiscard]] virtual PowerMatrix retinal_conjugate_d() const = 0;
+
+    // E, the error by which the eye blurs an object at vergence X = 1/distance from the entrance
+    // pupil: K - X I, unless the eye looks through a lens.
+    [[nodiscard]] virtual PowerMatrix error_d(double object_vergence_d) const
+    {
+        return retinal_conjugate_d() - PowerMatrix::sphere(object_vergence_d);
+    }
 
     [[nodiscard]] virtual double pupil_diameter_m() const = 0;
 };

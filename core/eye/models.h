@@ -4,6 +4,7 @@
 #pragma once
 
 #include "eye/eye_model.h"
+#include "eye/worn_lens.h"
 
 #include <memory>
 
@@ -20,5 +21,9 @@ namespace eye_render {
 
 [[nodiscard]] std::unique_ptr<EyeModel> make_paraxial_eye(const PowerMatrix& retinal_conjugate_d,
                                                           double pupil_diameter_m);
+
+// The eye behind a lens.
+[[nodiscard]] std::unique_ptr<EyeModel> make_corrected_eye(std::unique_ptr<const EyeModel> eye,
+                                                           const WornLens& lens);
 
 }  // namespace eye_render

@@ -41,8 +41,8 @@ std::shared_ptr<SceneBuilder> wall(double distance, float radiance)
 Observer myope(double sphere_d)
 {
     Observer observer;
-    observer.rx.sphere_d = sphere_d;
-    observer.rx_plane = RxPlane::EntrancePupil;
+    observer.eye.rx.sphere_d = sphere_d;
+    observer.eye.rx_plane = RxPlane::EntrancePupil;
     observer.pupil_mm = 4.0;
     return observer;
 }
@@ -105,8 +105,8 @@ TEST(Engine, darker_scene_opens_the_pupil)
 TEST(Engine, metadata_names_the_observer)
 {
     Observer observer = myope(-2.0);
-    observer.rx.cylinder_d = -0.75;
-    observer.rx.axis_deg = 160.0;
+    observer.eye.rx.cylinder_d = -0.75;
+    observer.eye.rx.axis_deg = 160.0;
     Engine engine(wall(2.0, 1.0f), observer, {});
     const auto metadata = engine.metadata();
     EXPECT_EQ(metadata.at("rx"), "-2.00DS -0.75DC 160A");

@@ -52,7 +52,8 @@ TEST(Accommodation, best_focus_and_its_limits_are_the_vectors)
         const double object_vergence_d =
             input["object_m"].is_null() ? 0.0 : 1.0 / input["object_m"].get<double>();
         const double amplitude_d = input["amplitude_D"];
-        const double accommodation_d = best_accommodation_d(rx, object_vergence_d, amplitude_d);
+        const double accommodation_d =
+            best_accommodation_d(PowerMatrix::sphere(-object_vergence_d) - rx, amplitude_d);
         const Json& expected = vector["expect"];
         test::expect_vector_value(accommodation_d, expected["A"]);
         test::expect_vector_value(far_vergence_d(rx), expected["far_vergence_D"]);

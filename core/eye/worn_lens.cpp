@@ -1,0 +1,102 @@
+// An eye behind a thin lens, exact to first order: the ray that the eye sends out advances to the
+// lens, is bent there by slope' = slope - F p, and leaves from there. Spectacle magnification, the
+// vertex distance of either prescription and crossed cylinders follow from that and need no
+// formula of their own.
+
+#include "eye/worn_lens.h"
+
+#include "base/error.h"
+#include "base/units.h"
+#include "eye/models.h"
+
+namespace eye_render {
+
+namespace {
+
+class CorrectedEye final : public EyeModel {
+public:
+    CorrectedEye(std::unique_ptr<const EyeModel> eye, const WornLens& lens)
+        : eye_(std::move(eye)), lens_(lens)
+    {
+    }
+
+    [[nodiscard]] EyeRay ray(const V2d& chief_slope,
+                             const V2d& pupil_point_m,
+                             double wavelength_nm) const override
+    {
+        EyeRay ray = eye_->ray(chief_slope, pupil_point_m, wavelength_nm);
+        // Forward is -Z.
+        const double advance_m = ray.origin_eye_m.z + lens_.distance_m;
+        const V2d at_lens_m = V2d(ray.origin_eye_m.x, ray.origin_eye_m.y) + ray.slope * advance_m;
+        ray.origin_eye_m = {at_lens_m.x, at_lens_m.y, -lens_.distance_m};
+        ray.slope -= lens_.power_d * at_lens_m;
+        return ray;
+    }
+
+    // The prescription that is left, as seen for distant objects.
+    [[nodiscard]] PowerMatrix retinal_conjugate_d() const override { return error_d(0.0); }
+
+    // With d the lens's distance, a = 1 - d X and F its power, light from X reaches the pupil with
+    // the vergence (I - d a F)^-1 (X I - a F): no case of its own for X = 1/d, an object at the
+    // lens. It is singular only for a lens whose focus is the pupil.
+    [[nodiscard]] PowerMatrix error_d(double object_vergence_d) const override
+    {
+        const double d = lens_.distance_m;
+        const double a = 1.0 - d * object_vergence_d;
+        const PowerMatrix& f = lens_.power_d;
+        // Both matrices have F's axes, so the vergence is a sphere and a multiple of F's own
+        // astigmatism.
+        const double axis = f.astigmatism_d();
+        const auto vergence = [&](double f_d) {
+            return (object_vergence_d - a * f_d) / (1.0 - d * a * f_d);
+        };
+        const double most = vergence(f.mean_d() + axis);
+        const double least = vergence(f.mean_d() - axis);
+        const double mean = 0.5 * (most + least);
+        const double j_per_j = axis > 0.0 ? 0.5 * (most - least) / axis : 0.0;
+        const PowerMatrix arriving{mean + j_per_j * f.j0_d(), j_per_j * f.j45_d(),
+                                   mean - j_per_j * f.j0_d()};
+        return eye_->retinal_conjugate_d() - arriving;
+    }
+
+    [[nodiscard]] double pupil_diameter_m() const override { return eye_->pupil_diameter_m(); }
+
+private:
+    std::unique_ptr<const EyeModel> eye_;
+    WornLens lens_;
+};
+
+}  // namespace
+
+WornLens glasses(const Prescription& rx, double vertex_m)
+{
+    require_valid(rx);
+    require_range("vertex_mm", mm_from_m(vertex_m), 0.0, mm_from_m(max_vertex_m), "mm");
+    WornLens lens{.power_d = power_matrix_camera(rx),
+                  .distance_m = vertex_m + cornea_to_entrance_pupil_m};
+    const double strongest_d = lens.power_d.mean_d() + lens.power_d.astigmatism_d();
+    // Beyond that the pupil lies at the lens's focus and sees no picture.
+    constexpr double nearest_focal_lengths = 0.9;
+    if (strongest_d * lens.distance_m > nearest_focal_lengths) {
+        throw std::invalid_argument("glasses of " + number_text(strongest_d) + " D worn " +
+                                    number_text(mm_from_m(vertex_m)) +
+                                    " mm before the eye have their focus at the pupil; expected "
+                                    "at most " +
+                                    number_text(nearest_focal_lengths / lens.distance_m) + " D");
+    }
+    return lens;
+}
+
+WornLens contact_lens(const Prescription& rx)
+{
+    require_valid(rx);
+    return {.power_d = power_matrix_camera(rx), .distance_m = cornea_to_entrance_pupil_m};
+}
+
+std::unique_ptr<EyeModel> make_corrected_eye(std::unique_ptr<const EyeModel> eye,
+                                             const WornLens& lens)
+{
+    return std::make_unique<CorrectedEye>(std::move(eye), lens);
+}
+
+}  // namespace eye_render
