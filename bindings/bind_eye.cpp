@@ -1,6 +1,8 @@
 // eyecore.Eye, and what is known of pupils and accommodation.
 
 #include "api/eye.h"
+#include "base/error.h"
+#include "base/units.h"
 #include "bind_values.h"
 #include "module.h"
 
@@ -63,6 +65,21 @@ std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
     return make_eye(description);
 }
 
+std::string blur_text(const BlurEllipse& blur)
+{
+    return "BlurEllipse(major_arcmin=" + number_text(blur.major_arcmin) +
+           ", minor_arcmin=" + number_text(blur.minor_arcmin) +
+           ", angle_deg=" + (blur.angle_deg ? number_text(*blur.angle_deg) : "None") + ")";
+}
+
+std::string eye_text(const EyeModel& eye)
+{
+    const PowerMatrix k = eye.retinal_conjugate_d();
+    return "Eye(pupil_mm=" + number_text(mm_from_m(eye.pupil_diameter_m())) +
+           ", retinal_conjugate_d=((" + number_text(k.xx_d) + ", " + number_text(k.xy_d) + "), (" +
+           number_text(k.xy_d) + ", " + number_text(k.yy_d) + ")))";
+}
+
 }  // namespace
 
 void bind_eye(py::module_& m)
@@ -79,7 +96,8 @@ void bind_eye(py::module_& m)
         .def_readonly("angle_deg", &BlurEllipse::angle_deg,
                       "Of the major diameter, counter-clockwise from +X as the patient sees it;\n"
                       "None when round.")
-        .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin);
+        .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin)
+        .def("__repr__", &blur_text);
 
     py::class_<EyeModel, std::shared_ptr<EyeModel>>(m, "Eye", "An eye as a model sees through it.")
         .def(py::init(&make_eye_from_python), "model"_a = "paraxial", "rx"_a = "plano",
@@ -95,6 +113,7 @@ void bind_eye(py::module_& m)
             [](const EyeModel& eye) { return distance_m(eye.retinal_conjugate_d().mean_d()); },
             "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"
             "behind the eye of a hyperope.")
+        .def("__repr__", &eye_text)
         .def_property_readonly("retinal_conjugate_d", [](const EyeModel& eye) {
             const PowerMatrix k = eye.retinal_conjugate_d();
             return py::make_tuple(py::make_tuple(k.xx_d, k.xy_d), py::make_tuple(k.xy_d, k.yy_d));
@@ -111,7 +130,9 @@ void bind_eye(py::module_& m)
                                       .eyes = eyes});
         },
         "formula"_a, "luminance_cd_m2"_a, "area_deg2"_a = 3600.0, "age_years"_a = 30.0,
-        "eyes"_a = 2, "Diameter of the entrance pupil, clamped to 1.5 to 9 mm.");
+        "eyes"_a = 2,
+        "Diameter of the entrance pupil, clamped to 1.5 to 9 mm; luminance is taken as 1e-6 to\n"
+        "1e6 cd/m2 and age as 20 to 83 years. ValueError for a negative luminance.");
     m.def(
         "accommodation_amplitude_d",
         [](double age_years) { return accommodation_amplitude_d(age_years); }, "age_years"_a,

@@ -1,6 +1,7 @@
 // eyecore.Observer, Settings, Session and render.
 
 #include "api/engine.h"
+#include "base/error.h"
 #include "bind_values.h"
 #include "module.h"
 
@@ -23,6 +24,8 @@ Observer make_observer(const std::string& model,
                        const std::string& pupil_formula,
                        double cd_m2_per_unit,
                        double luminance_sigma,
+                       const std::optional<double>& field_area_deg2,
+                       int eyes,
                        const py::object& focus,
                        const std::string& correction,
                        const py::object& worn,
@@ -48,6 +51,8 @@ Observer make_observer(const std::string& model,
     observer.pupil_formula = named_of("pupil_formula", pupil_formula, pupil_formulas);
     observer.cd_m2_per_unit = cd_m2_per_unit;
     observer.luminance_sigma = luminance_sigma;
+    observer.field_area_deg2 = field_area_deg2;
+    observer.eyes = eyes;
     if (const auto distance_m = number_from(focus)) {
         observer.focus = FocusMode::Distance;
         observer.focus_distance_m = *distance_m;
@@ -98,6 +103,36 @@ RenderSettings make_settings(std::uint32_t samples,
     return settings;
 }
 
+std::string observer_text(const Observer& observer)
+{
+    std::string text =
+        "Observer(model='" + std::string(to_string(observer.eye.model)) + "', rx='" +
+        format_prescription(observer.eye.rx) + "', age_years=" + number_text(observer.age_years) +
+        ", pupil=" + (observer.pupil_mm ? number_text(*observer.pupil_mm) : "'auto'") + ", focus=";
+    text += observer.focus == FocusMode::Distance
+                ? number_text(observer.focus_distance_m)
+                : "'" + std::string(to_string(observer.focus)) + "'";
+    if (observer.eye.correction != Correction::None) {
+        text += ", correction='" + std::string(to_string(observer.eye.correction)) + "'";
+    }
+    if (observer.eye.worn) {
+        text += ", worn='" + format_prescription(*observer.eye.worn) + "'";
+    }
+    return text + ")";
+}
+
+std::string settings_text(const RenderSettings& settings)
+{
+    const std::string range = settings.range
+                                  ? ", sample_range=(" + std::to_string(settings.range->first) +
+                                        ", " + std::to_string(settings.range->last) + ")"
+                                  : "";
+    return "Settings(samples=" + std::to_string(settings.samples) + range +
+           ", max_bounces=" + std::to_string(settings.max_bounces) +
+           ", seed=" + std::to_string(settings.seed) + ", pattern='" +
+           std::string(to_string(settings.pattern)) + "')";
+}
+
 py::dict snapshot(Engine& engine)
 {
     std::vector<PassImage> images;
@@ -141,6 +176,11 @@ py::dict render(const std::shared_ptr<SceneBuilder>& scene,
     if (const auto error = engine->session().error()) {
         throw std::runtime_error(*error);
     }
+    for (const std::string& warning : engine->warnings()) {
+        if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1) != 0) {
+            throw py::error_already_set();  // warnings are errors for this caller
+        }
+    }
     return snapshot(*engine);
 }
 
@@ -161,10 +201,15 @@ void bind_render(py::module_& m)
         .def(py::init(&make_observer), py::kw_only(), "model"_a = "paraxial", "rx"_a = "plano",
              "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "age_years"_a = 30.0,
              "pupil"_a = "auto", "pupil_formula"_a = "WATSON_YELLOTT", "cd_m2_per_unit"_a = 179.0,
-             "luminance_sigma"_a = 0.5, "focus"_a = "relaxed", "correction"_a = "none",
-             "worn"_a = py::none(), "near_part"_a = false,
-             "pupil: 'auto' or mm. focus: 'relaxed', 'center' or metres. correction: 'none',\n"
-             "'glasses' or 'contacts', made to `worn`, by default the eye's own prescription.");
+             "luminance_sigma"_a = 0.5, "field_area_deg2"_a = py::none(), "eyes"_a = 2,
+             "focus"_a = "relaxed", "correction"_a = "none", "worn"_a = py::none(),
+             "near_part"_a = false,
+             "pupil: 'auto' or mm. field_area_deg2: what an automatic pupil adapts to, None for\n"
+             "the picture's; eyes: how many see it. focus: 'relaxed', 'center' or metres.\n"
+             "correction: 'none', 'glasses' or 'contacts', made to `worn`, by default the eye's "
+             "own\n"
+             "prescription.")
+        .def("__repr__", &observer_text);
 
     py::class_<RenderSettings>(m, "Settings", "How it is rendered.")
         .def(py::init(&make_settings), py::kw_only(), "samples"_a = 64, "max_bounces"_a = 8,
@@ -173,7 +218,8 @@ void bind_render(py::module_& m)
              "film_transparent"_a = false, "filter_width_px"_a = 1.5, "chromatic"_a = false,
              "stiles_crawford"_a = false,
              "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
-             "all.");
+             "all.")
+        .def("__repr__", &settings_text);
 
     py::class_<Engine>(m, "Session", "One render: start, wait, look, cancel.")
         .def(py::init([](const std::shared_ptr<SceneBuilder>& scene, const Observer& observer,
@@ -219,7 +265,8 @@ void bind_render(py::module_& m)
                                [](const Engine& engine) { return engine.eye().accommodation_d; });
 
     m.def("render", &render, "scene"_a, "observer"_a, "settings"_a,
-          "Renders to the end; {pass: float32 (height, width, channels)}, rows bottom-up.");
+          "Renders to the end; {pass: float32 (height, width, channels)}, rows bottom-up. What\n"
+          "Session.warnings tells is issued by warnings.warn.");
 }
 
 }  // namespace eye_render

@@ -184,6 +184,8 @@ class Observer:
         pupil_formula: str = "WATSON_YELLOTT",
         cd_m2_per_unit: float = 179.0,
         luminance_sigma: float = 0.5,
+        field_area_deg2: float | None = None,
+        eyes: int = 2,
         focus: float | str = "relaxed",
         correction: str = "none",
         worn: Prescription | str | None = None,

@@ -3,9 +3,20 @@
 #include "base/error.h"
 #include "optics/prescription_text.h"
 
+#include <algorithm>
+
 namespace eye_render {
 
 namespace {
+
+std::string joined(const std::vector<std::string>& texts)
+{
+    std::string text;
+    for (const std::string& part : texts) {
+        text += (text.empty() ? "" : "; ") + part;
+    }
+    return text;
+}
 
 std::string range_text(const SampleRange& range)
 {
@@ -44,10 +55,27 @@ void require_valid(const Observer& observer)
     if (observer.pupil_mm) {
         require_range("pupil", *observer.pupil_mm, 0.0, 9.0, "mm");
     }
+    if (observer.field_area_deg2) {
+        // A whole sphere is 41253 square degrees.
+        require_range("field_area_deg2", *observer.field_area_deg2, 1e-6, 41253.0, "deg2");
+    }
+    require_range("eyes", observer.eyes, 1, 2, "");
     eye_render::require_valid(observer.eye.rx);
     if (observer.eye.worn) {
         eye_render::require_valid(*observer.eye.worn);
     }
+}
+
+// Whether something in the scene may give light; a picture counts as light unseen.
+bool has_light(const SceneData& scene, const RenderPlan& plan)
+{
+    const bool has_lamp =
+        std::any_of(scene.lamps.begin(), scene.lamps.end(),
+                    [](const LampData& lamp) { return lamp.settings.color != Color3f(0.0f); });
+    const bool has_world =
+        scene.world.strength > 0.0f &&
+        (scene.world.texture != EnvironmentSettings::none || scene.world.color != Color3f(0.0f));
+    return has_lamp || has_world || plan.emissive_meshes;
 }
 
 }  // namespace
@@ -69,10 +97,11 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     job.scene = std::make_shared<Scene>(data, frame.position_world);
     job.frame = frame;
     eye_ = make_observer_eye(observer, job.scene, frame, settings.threads);
-    plan_lens(plan_, data, frame, *eye_.model);
+    plan_lens(plan_, data, frame, *eye_.model, settings.chromatic, settings.stiles_crawford);
     job.eye = eye_.model;
     job.pattern = make_pupil_pattern(settings.pattern, settings.samples);
     job.lens = plan_.lens;
+    job.chromatic = plan_.chromatic;
     job.integrator = {.max_bounces = settings.max_bounces,
                       .film_transparent = settings.film_transparent,
                       .first_surface = plan_.first_surface};
@@ -87,7 +116,13 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
 std::vector<std::string> Engine::warnings() const
 {
     std::vector<std::string> all = scene_data_->warnings();
+    if (!has_light(scene_data_->data(), plan_)) {
+        all.emplace_back("there is no light in the scene, so the picture is black");
+    }
     all.insert(all.end(), eye_.notes.begin(), eye_.notes.end());
+    if (!eye_.pupil_clamps.empty()) {
+        all.push_back("pupil: " + joined(eye_.pupil_clamps));
+    }
     return all;
 }
 
@@ -100,7 +135,8 @@ std::string Engine::pupil_report() const
     if (!observer_.pupil_mm) {
         text += " (" + std::string(to_string(observer_.pupil_formula)) + ", " +
                 number_text(eye_.luminance_cd_m2) + " cd/m2 over " +
-                number_text(eye_.field_area_deg2) + " deg2)";
+                number_text(eye_.field_area_deg2) + " deg2" +
+                (observer_.eyes == 1 ? " seen by one eye" : "") + ")";
     }
     return text;
 }
@@ -119,6 +155,8 @@ std::map<std::string, std::string> Engine::metadata() const
         {"max_bounces", std::to_string(settings_.max_bounces)},
         {"filter_width_px", number_text(settings_.filter_width_px)},
         {"pupil_pattern", std::string(to_string(settings_.pattern))},
+        {"chromatic", plan_.chromatic ? "yes" : "no"},
+        {"stiles_crawford", plan_.stiles_crawford ? "yes" : "no"},
     };
     if (observer_.eye.rx_plane == RxPlane::Spectacle) {
         entries["vertex_mm"] = number_text(observer_.eye.vertex_mm);
@@ -129,6 +167,10 @@ std::map<std::string, std::string> Engine::metadata() const
         entries["cd_m2_per_unit"] = number_text(observer_.cd_m2_per_unit);
         entries["luminance_sigma"] = number_text(observer_.luminance_sigma);
         entries["field_area_deg2"] = number_text(eye_.field_area_deg2);
+        entries["eyes"] = std::to_string(observer_.eyes);
+        if (!eye_.pupil_clamps.empty()) {
+            entries["pupil_clamps"] = joined(eye_.pupil_clamps);
+        }
     }
     if (observer_.eye.correction != Correction::None) {
         entries["correction"] = to_string(observer_.eye.correction);

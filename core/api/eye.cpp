@@ -78,6 +78,11 @@ BlurEllipse blur_at(const EyeModel& eye, double object_distance_m)
 
 double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions)
 {
+    if (conditions.luminance_cd_m2 < 0.0) {
+        throw std::invalid_argument("luminance_cd_m2 is " +
+                                    number_text(conditions.luminance_cd_m2) +
+                                    " cd/m2; expected 0 or more");
+    }
     return mm_from_m(pupil_size(formula, conditions).diameter_m);
 }
 

@@ -46,7 +46,8 @@ struct EyeDescription {
 // throws std::invalid_argument for other distances.
 [[nodiscard]] BlurEllipse blur_at(const EyeModel& eye, double object_distance_m);
 
-// Diameter of the entrance pupil, clamped as `pupil_size` says.
+// Diameter of the entrance pupil, clamped as `pupil_size` says. Throws std::invalid_argument as it
+// does, and for a negative luminance: no report tells of that clamp here.
 [[nodiscard]] double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions);
 
 }  // namespace eye_render

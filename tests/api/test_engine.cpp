@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace eye_render {
 namespace {
@@ -93,6 +94,66 @@ TEST(Engine, automatic_pupil_is_the_formulas_for_the_scenes_luminance)
     EXPECT_EQ(engine.metadata().at("pupil_formula"), "WATSON_YELLOTT");
 }
 
+TEST(Engine, automatic_pupil_answers_to_the_field_and_the_eyes_given)
+{
+    Observer observer = myope(0.0);
+    observer.pupil_mm.reset();
+    observer.field_area_deg2 = 100.0;
+    observer.eyes = 1;
+    Engine engine(wall(2.0, 0.5f), observer, {});
+    const PupilSize expected =
+        pupil_size(PupilFormula::WatsonYellott, {.luminance_cd_m2 = engine.eye().luminance_cd_m2,
+                                                 .area_deg2 = 100.0,
+                                                 .age_years = observer.age_years,
+                                                 .eyes = 1});
+    EXPECT_NEAR(engine.eye().pupil_mm, mm_from_m(expected.diameter_m), 1e-6);
+    EXPECT_EQ(engine.metadata().at("field_area_deg2"), "100");
+    EXPECT_EQ(engine.metadata().at("eyes"), "1");
+}
+
+TEST(Engine, clamp_of_the_pupil_is_told_and_kept_with_the_picture)
+{
+    Observer observer = myope(0.0);
+    observer.pupil_mm.reset();
+    observer.age_years = 5.0;
+    Engine engine(wall(2.0, 0.5f), observer, {});
+    ASSERT_EQ(engine.warnings().size(), 1u);
+    EXPECT_EQ(engine.warnings()[0], "pupil: age 5 years taken as 20 years");
+    EXPECT_EQ(engine.metadata().at("pupil_clamps"), "age 5 years taken as 20 years");
+}
+
+TEST(Engine, scene_without_any_light_is_told)
+{
+    const auto told = [](const std::shared_ptr<SceneBuilder>& scene) {
+        return Engine(scene, myope(0.0), {}).warnings();
+    };
+    const std::vector<std::string> dark{"there is no light in the scene, so the picture is black"};
+    EXPECT_EQ(told(wall(2.0, 0.0f)), dark);
+    EXPECT_TRUE(told(wall(2.0, 0.1f)).empty());
+    const auto under_the_sky = wall(2.0, 0.0f);
+    under_the_sky->set_world({.color = Color3f(1.0f)});
+    EXPECT_TRUE(told(under_the_sky).empty());
+    const auto under_a_lamp = [&](float power) {
+        const auto scene = wall(2.0, 0.0f);
+        LampData lamp;
+        lamp.settings.color = Color3f(power);
+        scene->add_lamp(lamp);
+        return told(scene);
+    };
+    EXPECT_EQ(under_a_lamp(0.0f), dark);
+    EXPECT_TRUE(under_a_lamp(1.0f).empty());
+}
+
+TEST(Engine, eye_that_looks_far_away_accommodates_to_infinity)
+{
+    Observer hyperope = myope(2.0);
+    hyperope.focus = FocusMode::Distance;
+    hyperope.focus_distance_m = std::numeric_limits<double>::infinity();
+    Engine engine(wall(2.0, 1.0f), hyperope, {});
+    EXPECT_EQ(engine.eye().accommodation_d, 2.0);
+    EXPECT_EQ(engine.metadata().at("focus_m"), "inf");
+}
+
 TEST(Engine, darker_scene_opens_the_pupil)
 {
     Observer observer = myope(0.0);
@@ -130,6 +191,12 @@ TEST(Engine, refuses_numbers_out_of_range)
     Observer unknown_age = myope(0.0);
     unknown_age.age_years = std::nan("");
     EXPECT_EQ(refusal(unknown_age, {}), "age is nan years; expected 0 to 120 years");
+    Observer three_eyed = myope(0.0);
+    three_eyed.eyes = 3;
+    EXPECT_EQ(refusal(three_eyed, {}), "eyes is 3; expected 1 to 2");
+    Observer fieldless = myope(0.0);
+    fieldless.field_area_deg2 = 0.0;
+    EXPECT_EQ(refusal(fieldless, {}), "field_area_deg2 is 0 deg2; expected 1e-06 to 41253 deg2");
     EXPECT_EQ(refusal(myope(0.0), {.range = SampleRange{.first = 4, .last = 4}}),
               "sample range is 4:4; expected FIRST:LAST with FIRST below LAST");
     EXPECT_EQ(refusal(myope(-40.0), {}), "sphere_d is -40 D; expected -30 to 30 D");

@@ -137,11 +137,40 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
             r"the camera's axes span no space",
         ),
         (lambda: eyecore.pupil_diameter_mm("GUESS", 10.0), r"formula is 'GUESS'; expected one of"),
+        (
+            lambda: eyecore.pupil_diameter_mm("WINN", -1.0),
+            r"luminance_cd_m2 is -1 cd/m2; expected 0 or more",
+        ),
+        (lambda: eyecore.pupil_diameter_mm("WINN", np.nan), r"luminance_cd_m2 is nan; expected a"),
     ],
 )
 def test_refusals_name_value_and_what_is_allowed(call, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         call()
+
+
+def test_things_say_what_they_are() -> None:
+    rx = eyecore.Prescription(-2.0, -0.75, 160)
+    assert repr(rx) == "Prescription('-2.00DS -0.75DC 160A')"
+    eye = eyecore.Eye(rx="-3.00DS", rx_plane="entrance_pupil")
+    assert repr(eye) == "Eye(pupil_mm=4, retinal_conjugate_d=((3, 0), (0, 3)))"
+    assert repr(eye.blur_ellipse(1 / 3)) == (
+        "BlurEllipse(major_arcmin=0, minor_arcmin=0, angle_deg=None)"
+    )
+    assert repr(eyecore.Observer(rx=rx, focus=0.5, correction="glasses", worn="-1.00")) == (
+        "Observer(model='paraxial', rx='-2.00DS -0.75DC 160A', age_years=30, pupil='auto', "
+        "focus=0.5, correction='glasses', worn='-1.00DS')"
+    )
+    assert repr(eyecore.Settings(sample_range=(4, 8), seed=7)) == (
+        "Settings(samples=64, sample_range=(4, 8), max_bounces=8, seed=7, pattern='SOBOL')"
+    )
+
+
+def test_render_issues_the_warnings_of_the_scene() -> None:
+    scene = lit_quad()
+    scene.set_world(color=(0.0, 0.0, 0.0))
+    with pytest.warns(UserWarning, match="there is no light in the scene"):
+        eyecore.render(scene, eyecore.Observer(pupil=4), eyecore.Settings(samples=1))
 
 
 def test_numpy_numbers_are_numbers() -> None:
