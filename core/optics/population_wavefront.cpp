@@ -1,0 +1,48 @@
+// The table of the Indiana study's means.
+
+#include "optics/population_wavefront.h"
+
+#include "base/error.h"
+#include "base/units.h"
+
+#include <array>
+
+namespace eye_render {
+
+namespace {
+
+struct PopulationMean {
+    double pupil_mm;
+    std::array<double, 9> coefficients_um;  // OSA indices 6 to 14, right eye
+};
+
+constexpr std::array population_means{
+    PopulationMean{3.0,
+                   {-0.0078, 0.0009, 0.0024, 0.0003, -0.0008, 0.0000, 0.0069, -0.0015, -0.0038}},
+    PopulationMean{4.5,
+                   {-0.0171, -0.0037, 0.0004, 0.0002, -0.0042, 0.0022, 0.0304, -0.0024, -0.0132}},
+    PopulationMean{6.0,
+                   {-0.0206, -0.0319, 0.0017, -0.0034, -0.0172, 0.0086, 0.0942, -0.0097, -0.0107}},
+    PopulationMean{7.5,
+                   {-0.0638, -0.0469, -0.0215, -0.0090, -0.0333, 0.0240, 0.1652, -0.0036, 0.0108}},
+};
+constexpr std::size_t first_index = 6;
+constexpr double measured_at_nm = 633.0;
+
+}  // namespace
+
+Wavefront population_wavefront(double pupil_diameter_m, EyeSide eye)
+{
+    require_range("pupil_mm", mm_from_m(pupil_diameter_m), mm_from_m(min_wavefront_pupil_m),
+                  mm_from_m(max_population_pupil_m), "mm");
+    const PopulationMean* mean = population_means.begin();
+    while (m_from_mm(mean->pupil_mm) < pupil_diameter_m) ++mean;
+    Wavefront wavefront{.coefficients_um = std::vector<double>(first_index),
+                        .pupil_diameter_m = m_from_mm(mean->pupil_mm),
+                        .wavelength_nm = measured_at_nm};
+    wavefront.coefficients_um.insert(wavefront.coefficients_um.end(),
+                                     mean->coefficients_um.begin(), mean->coefficients_um.end());
+    return rescaled(eye == EyeSide::Left ? mirrored(wavefront) : wavefront, pupil_diameter_m);
+}
+
+}  // namespace eye_render
