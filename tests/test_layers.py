@@ -23,7 +23,7 @@ MAY_INCLUDE = {
 # acceleration structure reaches Embree through it.
 DOORS = {
     "embree": {"core/scene/embree.h"},
-    "OpenImageIO": {"core/scene/textures.cpp"},
+    "OpenImageIO": {"core/scene/texture_cache.cpp"},
     "pybind11": {"bindings/*"},
     "Python.h": set(),
 }

@@ -2,7 +2,8 @@
 
 #pragma once
 
-#include "scene/textures.h"
+#include "base/vector.h"
+#include "scene/texture_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,11 @@ namespace eye_render {
 [[nodiscard]] inline float linear_from_srgb(float c)
 {
     return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f);
+}
+
+[[nodiscard]] inline Color3f linear_from_srgb(const Color3f& c)
+{
+    return {linear_from_srgb(c.x), linear_from_srgb(c.y), linear_from_srgb(c.z)};
 }
 
 // Multiplies alpha into the encoded colour of RGBA pixels; whole numbers are rounded down, as

@@ -1,5 +1,4 @@
-// Image textures: a private OpenImageIO texture system behind a small interface; the only part
-// of the project that knows OpenImageIO.
+// Image textures, of files and of pixels in memory.
 //
 // A lookup is bilinear on the full-resolution image, without MIP maps, as Cycles does, and gives
 // linear Rec. 709 with straight alpha. v = 0 is the bottom row, v = 1 the top one. sRGB is
@@ -9,44 +8,15 @@
 #pragma once
 
 #include "base/vector.h"
+#include "scene/linear_pixels.h"
+#include "scene/memory_image.h"
+#include "scene/texture_options.h"
 
-#include <cstdint>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
 namespace eye_render {
-
-enum class Colorspace { Srgb, Linear, NonColor };  // NonColor: as Linear, and alpha is left alone
-enum class Extension { Repeat, Extend, Clip };     // Clip: transparent black outside
-enum class Interpolation { Linear, Closest };
-
-struct TextureOptions {
-    Colorspace colorspace = Colorspace::Srgb;
-    Extension extension = Extension::Repeat;
-    Interpolation interpolation = Interpolation::Linear;
-};
-
-// RGBA with straight alpha, rows bottom-up, as Blender hands over packed and generated images.
-// The values are encoded as the colour space says; they are copied.
-struct PixelsU8 {
-    int width = 0;
-    int height = 0;
-    std::span<const std::uint8_t> rgba;
-};
-struct PixelsF32 {
-    int width = 0;
-    int height = 0;
-    std::span<const float> rgba;
-};
-
-// A small linear copy of an image, rows bottom-up, for tables.
-struct LinearPixels {
-    int width = 0;
-    int height = 0;
-    std::vector<Color3f> rgb;
-};
 
 class TextureSet {
 public:
@@ -71,7 +41,7 @@ public:
     [[nodiscard]] LinearPixels load_linear_pixels(int texture, int max_width) const;
 
     [[nodiscard]] int size() const;
-    [[nodiscard]] bool started() const;  // whether OpenImageIO's texture system exists
+    [[nodiscard]] bool started() const;  // whether OpenImageIO is in use
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
