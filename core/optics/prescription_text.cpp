@@ -1,4 +1,5 @@
-// The grammar over the tokens: [eye] sphere [cylinder axis] [add].
+// The grammar over the tokens: ["Rx"] [eye] sphere [cylinder axis] [add], all or its tail
+// bracketed.
 
 #include "optics/prescription_text.h"
 
@@ -53,15 +54,22 @@ public:
     Prescription parse()
     {
         refuse_prism();
+        int open_brackets = take_mark("(") ? 1 : 0;
+        take_word({"rx"});
         Prescription rx{.eye = take_eye()};
+        open_brackets += take_mark("(") ? 1 : 0;
         rx.sphere_d = take_sphere();
         const bool announced = take_mark("/");
         if (!announced || !take_word({"ds", "sph", "sphere"})) {
             take_cylinder(rx, announced);
         }
+        open_brackets -= take_closing(open_brackets);
         if (take_word({"add"})) {
             rx.add_d = checked_power("add_d", take_number("an addition"), 0.0, max_add_d);
-            take_word({"d", "ds"});
+            take_word({"d", "ds", "dpt"});
+        }
+        if (take_closing(open_brackets) < open_brackets) {
+            fail_syntax("a bracket is not closed");
         }
         if (next_ < tokens_.size()) {
             fail_syntax("cannot read '" + as_typed(tokens_[next_]) +
@@ -108,7 +116,7 @@ private:
         }
         const double sphere_d =
             checked_power("sphere_d", take_number("a sphere"), -max_sphere_d, max_sphere_d);
-        take_word({"ds", "d", "s", "sph", "sphere"});
+        take_word({"ds", "d", "dpt", "s", "sph", "sphere"});
         return sphere_d;
     }
 
@@ -120,12 +128,14 @@ private:
             return;
         }
         const PrescriptionToken& cylinder = take_number("a cylinder");
-        if (cylinder.sign == 0) {
+        // Nothing after a slash can only be no cylinder; elsewhere it may be a slip.
+        const bool surely_none = announced && cylinder.value == 0.0;
+        if (cylinder.sign == 0 && !surely_none) {
             fail_syntax("the cylinder " + cylinder.text + " needs its sign, + or -");
         }
         const double cylinder_d =
             checked_power("cylinder_d", cylinder, -max_cylinder_d, max_cylinder_d);
-        take_word({"dc", "d", "c", "cyl"});
+        take_word({"dc", "d", "dpt", "c", "cyl"});
         take_mark("/");
         const bool has_axis = take_axis(rx);
         if (cylinder_d == 0.0) {
@@ -160,6 +170,16 @@ private:
         }
         rx.axis_deg = normalized_axis_deg(axis.value);
         return true;
+    }
+
+    // How many of the open brackets close here.
+    int take_closing(int open_brackets)
+    {
+        int closed = 0;
+        while (closed < open_brackets && take_mark(")")) {
+            ++closed;
+        }
+        return closed;
     }
 
     [[nodiscard]] bool next_is(Kind kind) const

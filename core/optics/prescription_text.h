@@ -4,10 +4,12 @@
 // decimal commas, and `:` after labels:
 //   -2.00DS -0.75DC 160A      the paper's notation, and what format_prescription writes
 //   -2.00 / -0.75 x 160       also `@`, `ax`, `axis`, a bare whole number, or a degree sign
-//   OD -1.25 DS, LE +1.50 sph, R plano -0.75 x 090, sph -2 cyl -0.5 axis 20, ... add +2.00
+//   OD -1.25 DS, LE +1.50 sph, R plano -0.75 x 090, sph -2 cyl. -0.5 axis 20, ... add +2.00
+//   Rx: -2.00 dpt, (-2.00 -0.75 x 160), OD [-2.00DS-0.75DCx160] add +2.00, 0.00/0.00x0
 // Eyes: OD RE R right, OS LE L left, OU BE both. Plano, PL or an infinity sign is a sphere of 0.
 // Nothing is guessed: a cylinder needs its sign and its axis, a power needs its decimal point once
-// it has three digits. Axis 0 becomes 180; a zero cylinder drops its axis.
+// it has three digits, a bracket its other half. Axis 0 becomes 180; a zero cylinder drops its
+// axis and, after a slash, needs no sign.
 
 #pragma once
 

@@ -21,16 +21,20 @@ constexpr std::string_view degree_sign = "\u00b0";
 constexpr std::string_view prism_sign = "\u0394";
 
 constexpr std::array spellings{
-    Spelling{"\u2212", "-"},          // minus sign
-    Spelling{"\u2013", "-"},          // en dash
-    Spelling{"\u2014", "-"},          // em dash
-    Spelling{"\u2010", "-"},          // hyphen
-    Spelling{"\u2011", "-"},          // non-breaking hyphen
-    Spelling{"\uff0d", "-"},          // fullwidth
-    Spelling{"\uff0b", "+"},          // fullwidth
-    Spelling{"\uff0f", "/"},          // fullwidth
-    Spelling{"\uff0e", "."},          // fullwidth
-    Spelling{"\uff0c", ","},          // fullwidth
+    Spelling{"\u2212", "-"},  // minus sign
+    Spelling{"\u2013", "-"},  // en dash
+    Spelling{"\u2014", "-"},  // em dash
+    Spelling{"\u2010", "-"},  // hyphen
+    Spelling{"\u2011", "-"},  // non-breaking hyphen
+    Spelling{"\uff0d", "-"},  // fullwidth
+    Spelling{"\uff0b", "+"},  // fullwidth
+    Spelling{"\uff0f", "/"},  // fullwidth
+    Spelling{"\uff0e", "."},  // fullwidth
+    Spelling{"\uff0c", ","},  // fullwidth
+    Spelling{"\uff08", "("},  // fullwidth
+    Spelling{"\uff09", ")"},  // fullwidth
+    Spelling{"[", "("},
+    Spelling{"]", ")"},
     Spelling{"\u00d7", "x"},          // multiplication sign
     Spelling{"\u2715", "x"},          // multiplication x
     Spelling{"\u00a0", " "},          // no-break space
@@ -133,13 +137,29 @@ PrescriptionToken take_number(std::string_view& text)
     return token;
 }
 
+// The letters at the front; where an axis mark is glued to a unit, as in "dcx", those of the unit.
 std::size_t word_length(std::string_view text)
 {
     std::size_t length = 0;
     while (length < text.size() && is_letter(text[length])) {
         ++length;
     }
+    const std::string_view word = text.substr(0, length);
+    for (const std::string_view unit : {"d", "dc", "c", "cyl", "dpt"}) {
+        if (word.starts_with(unit)) {
+            const std::string_view rest = word.substr(unit.size());
+            if (rest == "x" || rest == "ax" || rest == "axis") {
+                return unit.size();
+            }
+        }
+    }
     return length;
+}
+
+// "cyl." and "dpt.": the point of an abbreviation, and not of a number.
+bool ends_abbreviation(std::string_view text)
+{
+    return text.starts_with('.') && !(text.size() > 1 && is_digit(text[1]));
 }
 
 }  // namespace
@@ -158,6 +178,7 @@ std::vector<PrescriptionToken> prescription_tokens(std::string_view text)
             tokens.push_back({.kind = PrescriptionToken::Kind::Word,
                               .text = std::string(rest.substr(0, letters))});
             rest.remove_prefix(letters);
+            rest.remove_prefix(ends_abbreviation(rest) ? 1 : 0);
         } else if (is_digit(c) || is_sign(c) || c == '.') {
             tokens.push_back(take_number(rest));
         } else {

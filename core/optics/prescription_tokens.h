@@ -17,9 +17,10 @@ struct PrescriptionToken {
     double value = 0.0;  // of a number, sign included
 };
 
-// Marks are `/ @ * ° ^ Δ` and whatever else is neither letter, digit nor space; `:`, `=`, `;` and
-// commas that are no decimal commas only separate and are dropped. An infinity sign is the word
-// "plano". Never fails: what cannot be understood becomes a mark.
+// Marks are `/ @ * ° ^ Δ ( )` and whatever else is neither letter, digit nor space; `:`, `=`, `;`,
+// commas that are no decimal commas and points after words only separate and are dropped. Square
+// brackets become round, an infinity sign the word "plano", and "dcx" the words "dc" and "x".
+// Never fails: what cannot be understood becomes a mark.
 [[nodiscard]] std::vector<PrescriptionToken> prescription_tokens(std::string_view text);
 
 }  // namespace eye_render

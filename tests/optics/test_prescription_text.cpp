@@ -70,12 +70,25 @@ TEST(PrescriptionText, reads_the_notations_in_use)
              "-2.00-0.75*160deg",
              "-2 -.75 x160a",
              "\t-2.00DS\n-0.75DC\r\n160A  ",
+             "-2.00DS-0.75DCx160",
+             "-2.00D-0.75Dax160",
+             "-2,00 dpt -0,75 dpt ax. 160",
+             "-2.00 sph. -0.75 cyl. axis 160",
+             "sph. -2.00 cyl.-0.75cylx160",
+             "Rx: -2.00 -0.75 x 160",
+             "(-2.00 -0.75 x 160)",
+             "[-2.00DS / -0.75DC x 160]",
+             "Rx (-2.00 -0.75 x 160)",
+             "\uff08-2.00 -0.75 x 160\uff09",
          }) {
         EXPECT_EQ(outcome(text), same) << text;
     }
     EXPECT_EQ(outcome("od: -1.25 sph add +2.00"), "OD -1.25DS add +2.00");
     EXPECT_EQ(outcome("OU Plano / sph add 1.5"), "OU 0.00DS add +1.50");
     EXPECT_EQ(outcome("left +3.00 +1.50 x 0 ADD +2.25D"), "OS +3.00DS +1.50DC 180A add +2.25");
+    EXPECT_EQ(outcome("OD (-1.25 -0.50 x 20) add +2.00 dpt"), "OD -1.25DS -0.50DC 20A add +2.00");
+    EXPECT_EQ(outcome("(OS [-1.25D add +2.00D])"), "OS -1.25DS add +2.00");
+    EXPECT_EQ(outcome("0.00/0.00x0"), "0.00DS");
     EXPECT_EQ(outcome("-3.00 +0.00"), "-3.00DS");
     EXPECT_EQ(outcome("1.25"), "+1.25DS");
 }
@@ -103,6 +116,17 @@ TEST(PrescriptionText, never_guesses)
     EXPECT_EQ(outcome(std::string(400, '9') + ".0"), "power_range");
     EXPECT_EQ(outcome("\xff\xfe\x80"), "syntax");
     EXPECT_EQ(outcome("nan"), "syntax");
+    EXPECT_EQ(outcome("(-2.00 -0.75 x 160"), "syntax");
+    EXPECT_EQ(outcome("((OD -2.00)"), "syntax");
+    EXPECT_EQ(outcome("OD (-2.00 add 1.00"), "syntax");
+    EXPECT_EQ(outcome("-2.00 -0.75 x 160)"), "syntax");
+    EXPECT_EQ(outcome("(OD (-2.00)"), "syntax");
+    EXPECT_EQ(outcome("()"), "syntax");
+    EXPECT_EQ(outcome("Rx:"), "syntax");
+    EXPECT_EQ(outcome("-2.00 0.00 x 160"), "syntax");
+    EXPECT_EQ(outcome("-2.00 / 0.75 x 160"), "syntax");
+    EXPECT_EQ(outcome("-2.00.-0.75 x 160"), "syntax");
+    EXPECT_EQ(outcome("-2.00DSx"), "syntax");
 }
 
 TEST(PrescriptionText, errors_are_sentences_for_the_one_who_typed)
@@ -117,6 +141,8 @@ TEST(PrescriptionText, errors_are_sentences_for_the_one_who_typed)
               "-0.75DC 160A");
     EXPECT_EQ(sentence("banana"),
               "cannot read 'banana' as a sphere; write for example -2.00DS -0.75DC 160A");
+    EXPECT_EQ(sentence("(-2.00"),
+              "a bracket is not closed; write for example -2.00DS -0.75DC 160A");
     EXPECT_EQ(sentence("-2.00 2\u0394 BU"),
               "prism is not supported yet: leave it out of the prescription");
     EXPECT_EQ(sentence("OD -2.00 1.5 BI"),
