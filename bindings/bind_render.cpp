@@ -251,6 +251,18 @@ void bind_render(py::module_& m)
                                [](Engine& engine) { return engine.session().samples_total(); })
         .def_property_readonly("progress",
                                [](Engine& engine) { return engine.session().progress(); })
+        .def_property_readonly(
+            "ray_fates",
+            [](Engine& engine) {
+                const RayFates fates = engine.session().fates();
+                py::dict counts;
+                for (const RayFate fate : ray_fates) {
+                    counts[py::str(std::string(to_string(fate)))] = fates[fate];
+                }
+                return counts;
+            },
+            "Rays so far by what became of them in the eye: transmitted, vignetted, missed,\n"
+            "total_reflection.")
         .def_property_readonly("error", [](Engine& engine) { return engine.session().error(); })
         .def_property_readonly("plan_text",
                                [](const Engine& engine) { return engine.plan().text(); })

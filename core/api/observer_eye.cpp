@@ -21,7 +21,10 @@ constexpr int luminance_size_px = 64;
 constexpr std::uint32_t luminance_samples = 32;
 constexpr int luminance_bounces = 4;
 
-double focus_distance_m(const Observer& observer, const Scene& scene, const CameraFrame& frame)
+double focus_distance_m(const Observer& observer,
+                        const EyeModel& relaxed_eye,
+                        const Scene& scene,
+                        const CameraFrame& frame)
 {
     switch (observer.focus) {
     case FocusMode::Distance:
@@ -30,7 +33,7 @@ double focus_distance_m(const Observer& observer, const Scene& scene, const Came
         }
         return observer.focus_distance_m;
     case FocusMode::Center:
-        return distance_along_m(scene, frame,
+        return distance_along_m(scene, frame, relaxed_eye,
                                 V2d(0.5 * (frame.slope_left + frame.slope_right),
                                     0.5 * (frame.slope_bottom + frame.slope_top)));
     case FocusMode::Relaxed: break;
@@ -38,14 +41,12 @@ double focus_distance_m(const Observer& observer, const Scene& scene, const Came
     return std::numeric_limits<double>::infinity();
 }
 
-void accommodate(ObserverEye& eye, const Observer& observer)
+void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& relaxed_eye)
 {
     if (observer.focus == FocusMode::Relaxed) {
         return;
     }
-    EyeDescription relaxed = observer.eye;
-    relaxed.accommodation_d = 0.0;
-    const PowerMatrix error_d = make_eye(relaxed)->error_d(1.0 / eye.focus_distance_m);
+    const PowerMatrix error_d = relaxed_eye.error_d(1.0 / eye.focus_distance_m);
     const double amplitude_d = accommodation_amplitude_d(observer.age_years);
     const double wanted_d = -error_d.mean_d();
     eye.accommodation_d = best_accommodation_d(error_d, amplitude_d);
@@ -147,17 +148,19 @@ ObserverEye make_observer_eye(const Observer& observer,
                               int threads)
 {
     ObserverEye eye;
-    eye.focus_distance_m = focus_distance_m(observer, *scene, frame);
-    if (observer.eye.model == EyeModelKind::Pinhole) {
-        eye.model = make_eye(EyeDescription{.model = EyeModelKind::Pinhole});
-        return eye;
+    if (observer.eye.model != EyeModelKind::Pinhole) {
+        adapt_pupil(eye, observer, scene, frame, threads);
     }
-    accommodate(eye, observer);
-    adapt_pupil(eye, observer, scene, frame, threads);
     EyeDescription description = observer.eye;
     description.pupil_mm = eye.pupil_mm;
-    description.accommodation_d = eye.accommodation_d;
+    description.accommodation_d = 0.0;
     eye.model = make_eye(description);
+    eye.focus_distance_m = focus_distance_m(observer, *eye.model, *scene, frame);
+    accommodate(eye, observer, *eye.model);
+    if (eye.accommodation_d > 0.0) {
+        description.accommodation_d = eye.accommodation_d;
+        eye.model = make_eye(description);
+    }
     return eye;
 }
 

@@ -10,12 +10,28 @@
 #include "base/vector.h"
 #include "optics/power_matrix.h"
 
+#include <array>
 #include <memory>
+#include <string_view>
 
 namespace eye_render {
 
 // What became of a ray; a value, never an exception, because it is asked for once per sample.
 enum class RayFate { Transmitted, Vignetted, Missed, TotalReflection };
+
+inline constexpr std::array ray_fates{RayFate::Transmitted, RayFate::Vignetted, RayFate::Missed,
+                                      RayFate::TotalReflection};
+
+[[nodiscard]] constexpr std::string_view to_string(RayFate fate)
+{
+    switch (fate) {
+    case RayFate::Transmitted: return "transmitted";
+    case RayFate::Vignetted: return "vignetted";
+    case RayFate::Missed: return "missed";
+    case RayFate::TotalReflection: return "total_reflection";
+    }
+    return "";
+}
 
 struct EyeRay {
     RayFate fate = RayFate::Transmitted;

@@ -7,9 +7,8 @@
 
 #include "base/vector.h"
 #include "eye/eye_model.h"
+#include "optics/chromatic.h"
 #include "scene/ray.h"
-
-#include <optional>
 
 namespace eye_render {
 
@@ -48,16 +47,22 @@ struct CameraFrame {
 };
 
 struct CameraRay {
+    RayFate fate = RayFate::Transmitted;  // if another, the rest means nothing
     Ray ray;
     V2d slope{0.0};  // in object space, camera frame
     double weight = 1.0;
+    // Along the viewing axis, scene units: a point at `t` is as far as `depth(t)`.
+    double origin_depth = 0.0;
+    double length_per_depth = 1.0;
+
+    [[nodiscard]] double depth(double t) const { return origin_depth + t / length_per_depth; }
 };
 
-// The ray of the picture element with chief slope `chief_slope` through `pupil_point_m`; nothing
-// when the eye lets none pass.
-[[nodiscard]] std::optional<CameraRay> camera_ray(const CameraFrame& frame,
-                                                  const EyeModel& eye,
-                                                  const V2d& chief_slope,
-                                                  const V2d& pupil_point_m);
+// The ray of the picture element with chief slope `chief_slope` through `pupil_point_m`.
+[[nodiscard]] CameraRay camera_ray(const CameraFrame& frame,
+                                   const EyeModel& eye,
+                                   const V2d& chief_slope,
+                                   const V2d& pupil_point_m,
+                                   double wavelength_nm = reference_wavelength_nm);
 
 }  // namespace eye_render

@@ -23,12 +23,15 @@ constexpr std::size_t combined_sums = 1;
 constexpr std::size_t normal_sums = 5;
 constexpr std::size_t albedo_sums = 8;
 
-void add_weighted(double* sums, const V3f& value, double weight)
+void add_weighted(double* sums, const V3f& value, const V3d& weight)
 {
-    sums[0] += static_cast<double>(value.x) * weight;
-    sums[1] += static_cast<double>(value.y) * weight;
-    sums[2] += static_cast<double>(value.z) * weight;
+    sums[0] += static_cast<double>(value.x) * weight.x;
+    sums[1] += static_cast<double>(value.y) * weight.y;
+    sums[2] += static_cast<double>(value.z) * weight.z;
 }
+
+// Without samples every sum is 0, and so is every mean.
+double divisor(double weight) { return weight > 0.0 ? weight : 1.0; }
 
 // Copies a window of rows of `stride` values a pixel from one picture into another.
 template <typename T>
@@ -50,13 +53,21 @@ void copy_window(const std::vector<T>& from,
 
 void FilmTile::add(const PathSample& sample)
 {
+    ++fates_[sample.fate];
+    if (sample.fate != RayFate::Transmitted) {
+        return;
+    }
     double* sums = sums_.data() + pixel_index(bounds_, sample.x, sample.y) * layout_.stride();
     sums[weight_sum] += sample.weight;
-    add_weighted(sums + combined_sums, sample.light.radiance, sample.weight);
+    const V3d channel_weight = sample.channel_weight * sample.weight;
+    add_weighted(sums + combined_sums, sample.light.radiance, channel_weight);
+    if (layout_.chromatic) {
+        add_weighted(sums + layout_.channel_weights(), V3f(1.0f), channel_weight);
+    }
     sums[combined_sums + 3] += static_cast<double>(sample.light.alpha) * sample.weight;
     if (layout_.first_surface) {
-        add_weighted(sums + normal_sums, sample.light.normal, sample.weight);
-        add_weighted(sums + albedo_sums, sample.light.albedo, sample.weight);
+        add_weighted(sums + normal_sums, sample.light.normal, V3d(sample.weight));
+        add_weighted(sums + albedo_sums, sample.light.albedo, V3d(sample.weight));
     }
 }
 
@@ -89,6 +100,9 @@ void Film::put(const FilmTile& tile)
 {
     const std::scoped_lock lock(mutex_);
     copy_window(tile.sums_, tile.bounds_, sums_, bounds_, tile.bounds_, layout_.stride());
+    for (std::size_t i = 0; i < fates_.count.size(); ++i) {
+        fates_.count[i] += tile.fates_.count[i];
+    }
     if (layout_.chief) {
         copy_window(tile.chief_, tile.bounds_, chief_, bounds_, tile.bounds_, 1);
     }
@@ -98,12 +112,33 @@ void Film::write_mean(std::vector<float>& pixels, std::size_t first, std::size_t
 {
     float* out = pixels.data();
     for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
-        // Without samples every sum is 0, and so is every mean.
-        const double weight = sums_[i + weight_sum] > 0.0 ? sums_[i + weight_sum] : 1.0;
+        const double weight = divisor(sums_[i + weight_sum]);
         for (std::size_t channel = 0; channel < channels; ++channel) {
             *out++ = static_cast<float>(sums_[i + first + channel] / weight);
         }
     }
+}
+
+void Film::write_combined(std::vector<float>& pixels) const
+{
+    constexpr std::size_t rgba = 4;
+    write_mean(pixels, combined_sums, rgba);
+    if (!layout_.chromatic) {
+        return;
+    }
+    float* out = pixels.data();
+    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride(), out += rgba) {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double weight = divisor(sums_[i + layout_.channel_weights() + channel]);
+            out[channel] = static_cast<float>(sums_[i + combined_sums + channel] / weight);
+        }
+    }
+}
+
+RayFates Film::fates() const
+{
+    const std::scoped_lock lock(mutex_);
+    return fates_;
 }
 
 std::vector<PassImage> Film::snapshot(std::span<const Pass> passes) const
@@ -120,7 +155,7 @@ std::vector<PassImage> Film::snapshot(std::span<const Pass> passes) const
             std::ranges::transform(chief_, image.pixels.begin(), member);
         };
         switch (pass) {
-        case Pass::Combined: write_mean(image.pixels, combined_sums, channels); break;
+        case Pass::Combined: write_combined(image.pixels); break;
         case Pass::Normal: write_mean(image.pixels, normal_sums, channels); break;
         case Pass::Albedo: write_mean(image.pixels, albedo_sums, channels); break;
         case Pass::Depth: write_chief(&ChiefSample::depth); break;

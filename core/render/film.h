@@ -10,6 +10,8 @@
 #include "render/integrator.h"
 #include "render/passes.h"
 
+#include <array>
+#include <cstdint>
 #include <mutex>
 #include <span>
 #include <vector>
@@ -24,6 +26,10 @@ struct PathSample {
     V2d pupil_point_m{0.0};
     V2d slope{0.0};
     double weight = 1.0;
+    // What the path says about each colour channel, with a chromatic film: its wavelength lies
+    // more in one than in the others. Means are taken channel by channel, so white stays white.
+    V3d channel_weight{1.0};
+    RayFate fate = RayFate::Transmitted;
     PathRadiance light;
 };
 
@@ -45,9 +51,26 @@ struct PassImage {
 struct FilmLayout {
     bool first_surface = false;
     bool chief = false;
+    bool chromatic = false;
 
-    // Sums a pixel: weight, RGB, alpha, and on request normal and albedo.
-    [[nodiscard]] std::size_t stride() const { return first_surface ? 11 : 5; }
+    // Sums a pixel: weight, RGB, alpha, and on request normal and albedo, and the channels'
+    // weights.
+    [[nodiscard]] std::size_t stride() const { return channel_weights() + (chromatic ? 3 : 0); }
+    [[nodiscard]] std::size_t channel_weights() const { return first_surface ? 11 : 5; }
+};
+
+// How many rays the eye sent out, by what became of them in it.
+struct RayFates {
+    std::array<std::uint64_t, ray_fates.size()> count{};
+
+    [[nodiscard]] std::uint64_t& operator[](RayFate fate)
+    {
+        return count[static_cast<std::size_t>(fate)];
+    }
+    [[nodiscard]] std::uint64_t operator[](RayFate fate) const
+    {
+        return count[static_cast<std::size_t>(fate)];
+    }
 };
 
 class FilmTile {
@@ -63,6 +86,7 @@ private:
     FilmLayout layout_;
     std::vector<double> sums_;
     std::vector<ChiefSample> chief_;
+    RayFates fates_;  // of the samples added
 };
 
 class Film {
@@ -79,13 +103,17 @@ public:
     // provides for.
     [[nodiscard]] std::vector<PassImage> snapshot(std::span<const Pass> passes) const;
 
+    [[nodiscard]] RayFates fates() const;
+
 private:
     void write_mean(std::vector<float>& pixels, std::size_t first, std::size_t channels) const;
+    void write_combined(std::vector<float>& pixels) const;
 
     PixelBounds bounds_;
     FilmLayout layout_;
     std::vector<double> sums_;
     std::vector<ChiefSample> chief_;
+    RayFates fates_;
     mutable std::mutex mutex_;
 };
 

@@ -1,5 +1,7 @@
 #include "render/plan.h"
 
+#include "render/blur_bound.h"
+
 #include <Imath/ImathBox.h>
 #include <Imath/ImathBoxAlgo.h>
 
@@ -54,11 +56,11 @@ double nearest_depth(const SceneData& scene, const CameraFrame& frame)
     return nearest;
 }
 
-double largest_power_d(const PowerMatrix& m) { return std::abs(m.mean_d()) + m.astigmatism_d(); }
-
-// Blur diameter in pixels over all vergences from infinity to the nearest thing: the largest
-// eigenvalue of E = K - X I is convex in X, so the two ends bound it.
-double largest_blur_px(const SceneData& scene, const CameraFrame& frame, const EyeModel& eye)
+// Blur diameter in pixels.
+double largest_blur_px(const SceneData& scene,
+                       const CameraFrame& frame,
+                       const EyeModel& eye,
+                       bool chromatic)
 {
     if (eye.pupil_diameter_m() <= 0.0) {
         return 0.0;
@@ -67,11 +69,8 @@ double largest_blur_px(const SceneData& scene, const CameraFrame& frame, const E
     if (nearest_m <= 0.0) {
         return std::numeric_limits<double>::infinity();
     }
-    const PowerMatrix k = eye.retinal_conjugate_d();
-    const double largest_d =
-        std::max(largest_power_d(k), largest_power_d(k - PowerMatrix::sphere(1.0 / nearest_m)));
     const V2d pixel = frame.pixel_slope_size();
-    return eye.pupil_diameter_m() * largest_d / std::min(pixel.x, pixel.y);
+    return largest_blur_slope(eye, frame, nearest_m, chromatic) / std::min(pixel.x, pixel.y);
 }
 
 std::string quoted_list(const std::vector<std::string>& names)
@@ -143,12 +142,16 @@ RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
 void plan_lens(RenderPlan& plan,
                const SceneData& scene,
                const CameraFrame& frame,
-               const EyeModel& eye)
+               const EyeModel& eye,
+               bool chromatic,
+               bool stiles_crawford)
 {
-    plan.largest_blur_px = largest_blur_px(scene, frame, eye);
+    plan.largest_blur_px = largest_blur_px(scene, frame, eye, chromatic);
     // A blur circle one pixel wide is where the wider pixel filter hides it.
     // NaN falls to the lens, which costs time but never blur.
     plan.lens = !(plan.largest_blur_px < 1.0);
+    plan.chromatic = plan.lens && chromatic;
+    plan.stiles_crawford = plan.lens && stiles_crawford;
 }
 
 std::string RenderPlan::text() const
@@ -164,7 +167,8 @@ std::string RenderPlan::text() const
         << "; environment table: " << (environment_table ? "yes" : "no") << '\n';
     out << "shadows: " << (transparent_shadows ? "materials may pass light" : "opaque") << '\n';
     out << "lens: " << (lens ? "sampled" : "pinhole") << ", largest blur at most "
-        << largest_blur_px << " px\n";
+        << largest_blur_px << " px; wavelengths: " << (chromatic ? "sampled" : "one")
+        << "; Stiles-Crawford: " << (stiles_crawford ? "on" : "off") << '\n';
     out << "passes:";
     for (const Pass pass : passes) {
         out << ' ' << info(pass).name;

@@ -28,6 +28,8 @@ struct RenderPlan {
     bool transparent_shadows = false;  // shadow rays must look at materials
     double largest_blur_px = 0.0;      // an upper bound over everything in view
     bool lens = false;                 // false: one ray through the pupil's centre serves
+    bool chromatic = false;            // a wavelength for each path, if there is blur to show it
+    bool stiles_crawford = false;      // the pupil is weighed, if there is blur to show it
     std::vector<Pass> passes;
     bool chief_ray = false;      // some pass wants the ray through pixel and pupil centre
     bool first_surface = false;  // some pass wants normal or albedo
@@ -39,10 +41,13 @@ struct RenderPlan {
 // All of the plan but its lens, which waits for the eye.
 [[nodiscard]] RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes);
 
-// Adds what the eye shows of the scene: how much it blurs at most, and whether that is to be seen.
+// Adds what the eye shows of the scene: how much it blurs at most, whether that is to be seen, and
+// with it what depends on the point of the pupil.
 void plan_lens(RenderPlan& plan,
                const SceneData& scene,
                const CameraFrame& frame,
-               const EyeModel& eye);
+               const EyeModel& eye,
+               bool chromatic = false,
+               bool stiles_crawford = false);
 
 }  // namespace eye_render

@@ -25,7 +25,9 @@ std::uint32_t next_slice(std::uint32_t slice, std::chrono::duration<double> took
 Session::Session(RenderJob job, SessionSettings settings)
     : job_(std::move(job)), settings_(std::move(settings)),
       film_(job_.frame.border,
-            {.first_surface = job_.integrator.first_surface, .chief = settings_.chief_rays})
+            {.first_surface = job_.integrator.first_surface,
+             .chief = settings_.chief_rays,
+             .chromatic = job_.chromatic})
 {
 }
 

@@ -53,6 +53,8 @@ public:
 
     [[nodiscard]] std::vector<PassImage> snapshot() const;
 
+    [[nodiscard]] RayFates fates() const { return film_.fates(); }
+
     // What went wrong while it ran; nothing if all went well.
     [[nodiscard]] std::optional<std::string> error() const;
 

@@ -1,6 +1,7 @@
 #include "render/tracer.h"
 
 #include "base/units.h"
+#include "optics/display_primaries.h"
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/info.h>
@@ -64,31 +65,35 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
                                (0.5 * job.eye->pupil_diameter_m());
     }
     const V2d raster = V2d(x + 0.5, y + 0.5) + job.filter.sample(V2f(u[2], u[3]));
-    const auto camera =
-        camera_ray(job.frame, *job.eye, job.frame.chief_slope(raster), sample.pupil_point_m);
-    if (!camera) {
-        sample.weight = 0.0;
-        return sample;
+    double wavelength_nm = reference_wavelength_nm;
+    if (job.chromatic) {
+        wavelength_nm = sample_wavelength_nm(sequence.next()[0]);
+        sample.channel_weight = display_primaries(wavelength_nm) / wavelength_pdf(wavelength_nm);
     }
-    sample.slope = camera->slope;
-    sample.weight = camera->weight;
-    sample.light = trace_path(*job.scene, job.integrator, camera->ray, sequence);
+    const CameraRay camera = camera_ray(job.frame, *job.eye, job.frame.chief_slope(raster),
+                                        sample.pupil_point_m, wavelength_nm);
+    sample.fate = camera.fate;
+    if (camera.fate == RayFate::Transmitted) {
+        sample.slope = camera.slope;
+        sample.weight = camera.weight;
+        sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence);
+    }
     return sample;
 }
 
-// The ray through the pupil's centre: every model sends it along the chief slope, and it has no
-// blur, so the direction is the slope itself.
-double chief_depth(const Scene& scene, const CameraFrame& frame, const V2d& chief_slope)
+// How far along the viewing axis the ray through the pupil's centre gets; infinity without a hit.
+double chief_depth(const Scene& scene,
+                   const CameraFrame& frame,
+                   const EyeModel& eye,
+                   const V2d& chief_slope)
 {
-    const V3d towards = frame.axis_x * chief_slope.x + frame.axis_y * chief_slope.y - frame.axis_z;
-    const double length_per_depth = towards.length();
-    const auto hit =
-        scene.first_visible({.origin = V3f(0.0f),
-                             .direction = V3f(towards / length_per_depth),
-                             .t_min = static_cast<float>(frame.clip_near * length_per_depth),
-                             .t_max = static_cast<float>(frame.clip_far * length_per_depth)});
-    return hit ? static_cast<double>(hit->t) / length_per_depth
-               : std::numeric_limits<double>::infinity();
+    const CameraRay chief = camera_ray(frame, eye, chief_slope, V2d(0.0));
+    if (chief.fate == RayFate::Transmitted) {
+        if (const auto hit = scene.first_visible(chief.ray)) {
+            return chief.depth(static_cast<double>(hit->t));
+        }
+    }
+    return std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -123,15 +128,13 @@ bool trace_samples(const RenderJob& job,
 
 bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>& cancelled)
 {
-    const PowerMatrix k = job.eye->retinal_conjugate_d();
     return for_each_tile(film, cancelled, [&](FilmTile& tile) {
         const PixelBounds& bounds = tile.bounds();
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
-                const double depth = chief_depth(*job.scene, job.frame,
+                const double depth = chief_depth(*job.scene, job.frame, *job.eye,
                                                  job.frame.chief_slope(V2d(x + 0.5, y + 0.5)));
-                const PowerMatrix e =
-                    k - PowerMatrix::sphere(1.0 / (depth * job.frame.metres_per_unit));
+                const PowerMatrix e = job.eye->error_d(1.0 / (depth * job.frame.metres_per_unit));
                 const double largest_d = std::abs(e.mean_d()) + e.astigmatism_d();
                 tile.set(x, y,
                          {.depth = std::min(static_cast<float>(depth), background_depth),
@@ -143,9 +146,12 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
     });
 }
 
-double distance_along_m(const Scene& scene, const CameraFrame& frame, const V2d& chief_slope)
+double distance_along_m(const Scene& scene,
+                        const CameraFrame& frame,
+                        const EyeModel& eye,
+                        const V2d& chief_slope)
 {
-    return chief_depth(scene, frame, chief_slope) * frame.metres_per_unit;
+    return chief_depth(scene, frame, eye, chief_slope) * frame.metres_per_unit;
 }
 
 }  // namespace eye_render

@@ -27,6 +27,8 @@ struct RenderJob {
     PupilPattern pattern;
     // False: all rays pass the pupil's centre (the plan found no blur to show).
     bool lens = true;
+    // Every path has a wavelength of its own; else all have the reference wavelength.
+    bool chromatic = false;
     IntegratorSettings integrator;
     PixelFilter filter{1.5};
     std::uint64_t seed = 0;
@@ -49,6 +51,7 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
 // infinity when it meets nothing.
 [[nodiscard]] double distance_along_m(const Scene& scene,
                                       const CameraFrame& frame,
+                                      const EyeModel& eye,
                                       const V2d& chief_slope);
 
 }  // namespace eye_render

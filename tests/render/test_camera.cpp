@@ -31,9 +31,9 @@ TEST(Camera, rays_of_a_myope_meet_at_the_far_point)
     const V2d slope(0.1, -0.2);
     for (const V2d& p : {V2d(0.002, 0.0), V2d(-0.001, 0.0015), V2d(0.0, 0.0)}) {
         const auto ray = camera_ray(frame, *eye, slope, p);
-        ASSERT_TRUE(ray);
+        ASSERT_EQ(ray.fate, RayFate::Transmitted);
         // Far point of 2 D: 0.5 m, which is 50 units here; floats hold 50 to 4e-6.
-        const V3f at = ray->ray.origin + ray->ray.direction * (-50.0f / ray->ray.direction.z);
+        const V3f at = ray.ray.origin + ray.ray.direction * (-50.0f / ray.ray.direction.z);
         EXPECT_NEAR(at.x, 5.0f, 1e-4f) << "pupil point " << p.x << ", " << p.y;
         EXPECT_NEAR(at.y, -10.0f, 1e-4f);
     }
@@ -45,9 +45,9 @@ TEST(Camera, clipping_planes_are_perpendicular_to_the_axis)
     frame.clip_near = 2.0;
     frame.clip_far = 10.0;
     const auto ray = camera_ray(frame, *myope(0.0), V2d(1.0, 0.0), V2d(0.0));
-    ASSERT_TRUE(ray);
-    EXPECT_NEAR(ray->ray.t_min, 2.0 * std::sqrt(2.0), 1e-5);
-    EXPECT_NEAR(ray->ray.t_max, 10.0 * std::sqrt(2.0), 1e-5);
+    ASSERT_EQ(ray.fate, RayFate::Transmitted);
+    EXPECT_NEAR(ray.ray.t_min, 2.0 * std::sqrt(2.0), 1e-5);
+    EXPECT_NEAR(ray.ray.t_max, 10.0 * std::sqrt(2.0), 1e-5);
 }
 
 }  // namespace

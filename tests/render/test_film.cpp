@@ -42,6 +42,24 @@ TEST(Film, keeps_earlier_sums_when_a_tile_is_taken_again)
     EXPECT_FLOAT_EQ(film.snapshot(passes)[0].pixels[4 * pixel], 1.0f);
 }
 
+TEST(Film, counts_what_the_eye_did_with_the_rays_and_leaves_the_lost_ones_out)
+{
+    Film film({0, 0, 1, 1}, {});
+    for (int round = 0; round < 2; ++round) {
+        FilmTile tile = film.take({0, 0, 1, 1});
+        tile.add(sample_at(0, 0, 3.0f));
+        PathSample lost = sample_at(0, 0, 100.0f);
+        lost.fate = RayFate::Vignetted;
+        tile.add(lost);
+        film.put(tile);
+    }
+    EXPECT_EQ(film.fates()[RayFate::Transmitted], 2U);
+    EXPECT_EQ(film.fates()[RayFate::Vignetted], 2U);
+    EXPECT_EQ(film.fates()[RayFate::Missed], 0U);
+    const Pass passes[] = {Pass::Combined};
+    EXPECT_EQ(film.snapshot(passes)[0].pixels[0], 3.0f);
+}
+
 TEST(Film, shows_chief_samples_as_they_are)
 {
     Film film({0, 0, 1, 1}, {.chief = true});
