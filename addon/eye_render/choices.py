@@ -41,6 +41,8 @@ FOCUS_MODES = [
 PUPIL_PATTERNS = [
     ("SOBOL", "Sobol", "Low-discrepancy points, evenly spread over the pupil", 0),
     ("CIRCINATE", "Circinate", "The rings of points of Wang & Xiao 2013", 1),
+    ("UNIFORM_RANDOM", "Uniform Random", "Independent points: plain Monte Carlo", 2),
+    ("GRID", "Grid", "Rows and columns of points, the same in every pixel", 3),
 ]
 
 QUALITIES = [

@@ -53,7 +53,8 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
     const auto pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.frame.width_px) +
         static_cast<std::uint64_t>(x);
-    SampleSequence sequence(sobol_key(job.seed, pixel), number);
+    const std::uint64_t key = sobol_key(job.seed, pixel);
+    SampleSequence sequence(key, number);
     // The pupil gets the first two dimensions, which are stratified best: its blur is wider than
     // the pixel filter.
     const auto u = sequence.next();
@@ -61,8 +62,9 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
     sample.x = x;
     sample.y = y;
     if (job.lens) {
-        sample.pupil_point_m = pupil_point(job.pattern, number, V2f(u[0], u[1])) *
-                               (0.5 * job.eye->pupil_diameter_m());
+        sample.pupil_point_m =
+            pupil_point(job.pattern, {.pixel_key = key, .number = number, .u = {u[0], u[1]}}) *
+            (0.5 * job.eye->pupil_diameter_m());
     }
     const V2d raster = V2d(x + 0.5, y + 0.5) + job.filter.sample(V2f(u[2], u[3]));
     double wavelength_nm = reference_wavelength_nm;
