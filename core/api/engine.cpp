@@ -102,6 +102,10 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     job.pattern = make_pupil_pattern(settings.pattern, settings.samples);
     job.lens = plan_.lens;
     job.chromatic = plan_.chromatic;
+    if (plan_.stiles_crawford) {
+        job.stiles_crawford.emplace(cone_directivity(observer.eye.rx.eye),
+                                    job.eye->pupil_diameter_m());
+    }
     job.integrator = {.max_bounces = settings.max_bounces,
                       .film_transparent = settings.film_transparent,
                       .first_surface = plan_.first_surface};

@@ -27,7 +27,8 @@ struct PathSample {
     V2d slope{0.0};
     double weight = 1.0;
     // What the path says about each colour channel, with a chromatic film: its wavelength lies
-    // more in one than in the others. Means are taken channel by channel, so white stays white.
+    // more in one than in the others. Means are taken channel by channel, so white stays white
+    // as soon as every channel has had its share: from four samples on.
     V3d channel_weight{1.0};
     RayFate fate = RayFate::Transmitted;
     PathRadiance light;

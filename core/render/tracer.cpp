@@ -78,6 +78,9 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
     if (camera.fate == RayFate::Transmitted) {
         sample.slope = camera.slope;
         sample.weight = camera.weight;
+        if (job.stiles_crawford) {
+            sample.weight *= job.stiles_crawford->weight(sample.pupil_point_m);
+        }
         sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence);
     }
     return sample;

@@ -4,6 +4,7 @@
 
 #include "eye/eye_model.h"
 #include "eye/pupil_pattern.h"
+#include "eye/stiles_crawford.h"
 #include "render/film.h"
 #include "render/pixel_filter.h"
 
@@ -11,6 +12,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace eye_render {
 
@@ -29,6 +31,7 @@ struct RenderJob {
     bool lens = true;
     // Every path has a wavelength of its own; else all have the reference wavelength.
     bool chromatic = false;
+    std::optional<StilesCrawford> stiles_crawford{};  // nothing: all of the pupil counts the same
     IntegratorSettings integrator;
     PixelFilter filter{1.5};
     std::uint64_t seed = 0;
