@@ -5,6 +5,7 @@
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/imageio.h>
 #include <OpenImageIO/texture.h>
+#include <tbb/enumerable_thread_specific.h>
 
 #include <stdexcept>
 
@@ -107,6 +108,7 @@ MemoryImage read_straight(OIIO::ImageInput& input, T opaque, Colorspace colorspa
 }  // namespace
 
 struct TextureCache::Impl {
+    using ThreadInfo = OIIO::TextureSystem::Perthread;
     struct Entry {
         OIIO::TextureSystem::TextureHandle* handle = nullptr;
         OIIO::ustring name{};
@@ -117,6 +119,10 @@ struct TextureCache::Impl {
     CachePointer cache = OIIO::ImageCache::create(false);
     SystemPointer system = OIIO::TextureSystem::create(false, cache);
     std::vector<Entry> entries;
+    // Left to itself, OpenImageIO 2 keeps a thread's state under the address of the cache, beyond
+    // the cache's end: the thread would find dead images in the next cache at that address.
+    mutable tbb::enumerable_thread_specific<ThreadInfo*> thread_infos{
+        [this] { return system->create_thread_info(); }};
 
     Impl()
     {
@@ -129,6 +135,9 @@ struct TextureCache::Impl {
 
     ~Impl()
     {
+        for (ThreadInfo* info : thread_infos) {
+            system->destroy_thread_info(info);
+        }
         // The system is not destroyed: OpenImageIO 2 would delete it by the size of its base
         // class, which ruins the heap of an allocator that believes it, such as Blender's. That
         // leaves 184 bytes; all else it holds is the cache's. From 3.0 on it goes by itself.
@@ -137,7 +146,7 @@ struct TextureCache::Impl {
 
     int add(const OIIO::ustring& name, const TextureOptions& options)
     {
-        entries.push_back({.handle = system->get_texture_handle(name),
+        entries.push_back({.handle = system->get_texture_handle(name, thread_infos.local()),
                            .name = name,
                            .options = lookup_options(options)});
         return static_cast<int>(entries.size()) - 1;
@@ -183,7 +192,8 @@ CachedImage TextureCache::add_memory(MemoryImage image, const TextureOptions& op
     OIIO::ImageSpec config;
     config.attribute(memory_attribute, OIIO::TypeDesc::PTR, &address);
     const OIIO::ImageInput::Creator create = []() -> OIIO::ImageInput* { return new MemoryInput; };
-    impl_->system->imagecache()->add_file(name, create, &config);
+    // To replace is to leave this thread's state out, which may be an earlier cache's.
+    impl_->cache->add_file(name, create, &config, true);
     return {.number = impl_->add(name, options),
             .width = address->width,
             .height = address->height,
@@ -197,8 +207,8 @@ std::optional<std::array<float, 4>> TextureCache::lookup(const CachedImage& imag
     const Impl::Entry& entry = impl_->entry(image);
     OIIO::TextureOpt options = entry.options;
     std::array<float, 4> texel{};
-    if (!impl_->system->texture(entry.handle, nullptr, options, u, v, 0, 0, 0, 0, image.channels,
-                                texel.data())) {
+    if (!impl_->system->texture(entry.handle, impl_->thread_infos.local(), options, u, v, 0, 0, 0,
+                                0, image.channels, texel.data())) {
         return std::nullopt;
     }
     return texel;
@@ -209,10 +219,14 @@ std::vector<float> TextureCache::rows(const CachedImage& image, int y0, int y1) 
     std::vector<float> values(static_cast<std::size_t>(image.width) *
                               static_cast<std::size_t>(y1 - y0) *
                               static_cast<std::size_t>(image.channels));
-    if (!impl_->system->imagecache()->get_pixels(impl_->entry(image).name, 0, 0, 0, image.width,
-                                                 y0, y1, 0, 1, 0, image.channels,
-                                                 OIIO::TypeDesc::FLOAT, values.data())) {
-        return {};
+    OIIO::ImageCache& cache = *impl_->cache;
+    OIIO::ImageCache::Perthread* thread = cache.create_thread_info();
+    const bool is_read = cache.get_pixels(cache.get_image_handle(impl_->entry(image).name, thread),
+                                          thread, 0, 0, 0, image.width, y0, y1, 0, 1, 0,
+                                          image.channels, OIIO::TypeDesc::FLOAT, values.data());
+    cache.destroy_thread_info(thread);
+    if (!is_read) {
+        values.clear();
     }
     return values;
 }

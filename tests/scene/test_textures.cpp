@@ -12,6 +12,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <limits>
 #include <thread>
 
@@ -277,6 +278,32 @@ TEST(Textures, threads_see_the_same_as_one)
     for (const double sum : sums) {
         EXPECT_EQ(sum, sum_of_lookups());
     }
+}
+
+TEST(Textures, a_thread_that_outlives_a_set_sees_nothing_of_it_in_the_next)
+{
+    // Enough sets for one to be where an earlier one was.
+    constexpr int sets = 16;
+    std::array<std::promise<TextureSet*>, sets> asked;
+    std::array<std::promise<Color4f>, sets> looked_up;
+    std::array<std::promise<Color3f>, sets> shrunk;
+    std::thread worker([&] {
+        for (std::size_t i = 0; i < sets; ++i) {
+            const TextureSet& set = *asked[i].get_future().get();
+            looked_up[i].set_value(set.lookup(0, {0.5f, 0.5f}));
+            shrunk[i].set_value(set.load_linear_pixels(0, 1).rgb[0]);
+        }
+    });
+    for (std::size_t i = 0; i < sets; ++i) {
+        const auto value = static_cast<float>(i);
+        const std::vector<float> pixel = {value, value, value, 1.0f};
+        TextureSet set;
+        set.add_pixels("pixel", PixelsF32{1, 1, pixel}, {.colorspace = Colorspace::Linear});
+        asked[i].set_value(&set);
+        EXPECT_EQ(looked_up[i].get_future().get(), Color4f(value, value, value, 1.0f));
+        EXPECT_EQ(shrunk[i].get_future().get(), Color3f(value));
+    }
+    worker.join();
 }
 
 TEST(Textures, shrinking_keeps_the_mean_and_the_bottom_row_first)
