@@ -7,7 +7,7 @@ namespace eye_render {
 
 namespace {
 
-const char* side_name(EyeSide side)
+std::string side_name(EyeSide side)
 {
     switch (side) {
     case EyeSide::Right: return "OD";
@@ -16,6 +16,17 @@ const char* side_name(EyeSide side)
     case EyeSide::Unspecified: break;
     }
     return "";
+}
+
+EyeSide side_named(const std::string& name)
+{
+    for (const EyeSide side :
+         {EyeSide::Unspecified, EyeSide::Right, EyeSide::Left, EyeSide::Both}) {
+        if (side_name(side) == name) {
+            return side;
+        }
+    }
+    throw std::invalid_argument("eye is '" + name + "'; expected OD, OS, OU or nothing");
 }
 
 py::tuple power_matrix_tuple(const PowerMatrix& m)
@@ -30,15 +41,21 @@ void bind_prescription(py::module_& m)
     using namespace py::literals;
 
     py::class_<Prescription>(m, "Prescription", "Power of the correcting lens, axis TABO.")
-        .def(py::init([](double sphere_d, double cylinder_d, double axis_deg, double add_d) {
+        .def(py::init([](double sphere_d, double cylinder_d, double axis_deg, double add_d,
+                         double base_in_pd, double base_up_pd, const std::string& eye) {
                  const Prescription rx{.sphere_d = sphere_d,
                                        .cylinder_d = cylinder_d,
                                        .axis_deg = axis_deg,
-                                       .add_d = add_d};
+                                       .add_d = add_d,
+                                       .base_in_pd = base_in_pd,
+                                       .base_up_pd = base_up_pd,
+                                       .eye = side_named(eye)};
                  require_valid(rx);
                  return rx;
              }),
-             "sphere_d"_a = 0.0, "cylinder_d"_a = 0.0, "axis_deg"_a = 180.0, "add_d"_a = 0.0)
+             "sphere_d"_a = 0.0, "cylinder_d"_a = 0.0, "axis_deg"_a = 180.0, "add_d"_a = 0.0,
+             py::kw_only(), "base_in_pd"_a = 0.0, "base_up_pd"_a = 0.0, "eye"_a = "",
+             "Prisms in prism dioptres, negative base out or down; eye: OD, OS, OU or nothing.")
         .def_static(
             "parse", &parse_prescription, "text"_a,
             "From the usual notations, such as '-2.00DS -0.75DC 160A'. ValueError says why\n"
@@ -47,6 +64,8 @@ void bind_prescription(py::module_& m)
         .def_readonly("cylinder_d", &Prescription::cylinder_d)
         .def_readonly("axis_deg", &Prescription::axis_deg)
         .def_readonly("add_d", &Prescription::add_d)
+        .def_readonly("base_in_pd", &Prescription::base_in_pd)
+        .def_readonly("base_up_pd", &Prescription::base_up_pd)
         .def_property_readonly("eye", [](const Prescription& rx) { return side_name(rx.eye); })
         .def("text", &format_prescription)
         .def("__str__", &format_prescription)

@@ -24,6 +24,10 @@ class Prescription:
         cylinder_d: float = 0.0,
         axis_deg: float = 180.0,
         add_d: float = 0.0,
+        *,
+        base_in_pd: float = 0.0,
+        base_up_pd: float = 0.0,
+        eye: str = "",
     ) -> None: ...
     @staticmethod
     def parse(text: str) -> Prescription: ...
@@ -35,6 +39,10 @@ class Prescription:
     def axis_deg(self) -> float: ...
     @property
     def add_d(self) -> float: ...
+    @property
+    def base_in_pd(self) -> float: ...
+    @property
+    def base_up_pd(self) -> float: ...
     @property
     def eye(self) -> str: ...
     def text(self) -> str: ...
@@ -70,6 +78,59 @@ class Eye:
         self, chief_slope: ArrayLike, pupil_point_m: ArrayLike, wavelength_nm: float = 555.0
     ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
     def blur_ellipse(self, distance_m: float = ...) -> BlurEllipse: ...
+    def spot(
+        self,
+        distance_m: float = ...,
+        field_deg: Sequence[float] = (0.0, 0.0),
+        wavelength_nm: float = 555.0,
+        samples: int = 4096,
+    ) -> tuple[NDArray[np.float64], NDArray[np.float64]]: ...
+    def ray_counts(
+        self,
+        field_deg: Sequence[float] = (0.0, 0.0),
+        wavelength_nm: float = 555.0,
+        samples: int = 65536,
+    ) -> dict[str, int]: ...
+    def spot_ellipse(
+        self,
+        distance_m: float = ...,
+        field_deg: Sequence[float] = (0.0, 0.0),
+        wavelength_nm: float = 555.0,
+        samples: int = 65536,
+    ) -> BlurEllipse: ...
+    def psf(
+        self,
+        distance_m: float = ...,
+        size_arcmin: float = 60.0,
+        resolution: int = 128,
+        wavelength_nm: float = 555.0,
+        field_deg: Sequence[float] = (0.0, 0.0),
+        samples: int = 262144,
+    ) -> NDArray[np.float64]: ...
+    def mtf(
+        self,
+        frequencies_cpd: ArrayLike,
+        distance_m: float = ...,
+        meridian_deg: float = 0.0,
+        diffraction: bool = False,
+        wavelength_nm: float = 555.0,
+        field_deg: Sequence[float] = (0.0, 0.0),
+        samples: int = 65536,
+    ) -> NDArray[np.float64]: ...
+    def through_focus(
+        self,
+        vergences_d: ArrayLike,
+        wavelength_nm: float = 555.0,
+        field_deg: Sequence[float] = (0.0, 0.0),
+        samples: int = 65536,
+    ) -> NDArray[np.float64]: ...
+    def is_diffraction_limited(
+        self, distance_m: float = ..., wavelength_nm: float = 555.0
+    ) -> bool: ...
+    @property
+    def best_focus_d(self) -> float | None: ...
+    @property
+    def pupil_mm(self) -> float: ...
     @property
     def far_point_m(self) -> float: ...
     @property
@@ -83,6 +144,22 @@ def pupil_diameter_mm(
     eyes: int = 2,
 ) -> float: ...
 def accommodation_amplitude_d(age_years: float) -> float: ...
+
+class ClearRange:
+    @property
+    def meridian_deg(self) -> float | None: ...
+    @property
+    def far_d(self) -> float: ...
+    @property
+    def near_d(self) -> float: ...
+
+def clear_ranges(relaxed: Eye, accommodated: Eye) -> list[ClearRange]: ...
+def diffraction_mtf(
+    frequencies_cpd: ArrayLike, pupil_mm: float, wavelength_nm: float = 555.0
+) -> NDArray[np.float64]: ...
+def airy_radius_arcmin(pupil_mm: float, wavelength_nm: float = 555.0) -> float: ...
+def quarter_wave_d(pupil_mm: float, wavelength_nm: float = 555.0) -> float: ...
+def observer_eye(observer: Observer, pupil_mm: float, accommodation_d: float = 0.0) -> Eye: ...
 
 class ImageInput:
     def __init__(self, texture: int, uv_layer: str = "", channel: str = "COLOR") -> None: ...

@@ -25,6 +25,9 @@ Prescription full_correction(const EyeDescription& description, Correction corre
     Prescription lens =
         prescription_from(moved_toward_eye(power_matrix_tabo(description.rx), written_m - lens_m));
     lens.add_d = description.rx.add_d;
+    lens.base_in_pd = description.rx.base_in_pd;
+    lens.base_up_pd = description.rx.base_up_pd;
+    lens.eye = description.rx.eye;
     return lens;
 }
 

@@ -29,7 +29,7 @@ public:
         const double advance_m = ray.origin_eye_m.z + lens_.distance_m;
         const V2d at_lens_m = V2d(ray.origin_eye_m.x, ray.origin_eye_m.y) + ray.slope * advance_m;
         ray.origin_eye_m = {at_lens_m.x, at_lens_m.y, -lens_.distance_m};
-        ray.slope -= lens_.power_d * at_lens_m;
+        ray.slope += lens_.prism_slope - lens_.power_d * at_lens_m;
         return ray;
     }
 
@@ -73,7 +73,8 @@ WornLens glasses(const Prescription& rx, double vertex_m)
     require_valid(rx);
     require_range("vertex_mm", mm_from_m(vertex_m), 0.0, mm_from_m(max_vertex_m), "mm");
     WornLens lens{.power_d = power_matrix_camera(rx),
-                  .distance_m = vertex_m + cornea_to_entrance_pupil_m};
+                  .distance_m = vertex_m + cornea_to_entrance_pupil_m,
+                  .prism_slope = prism_slope(rx)};
     const double strongest_d = lens.power_d.mean_d() + lens.power_d.astigmatism_d();
     // Beyond that the pupil lies at the lens's focus and sees no picture.
     constexpr double nearest_focal_lengths = 0.9;
@@ -90,7 +91,9 @@ WornLens glasses(const Prescription& rx, double vertex_m)
 WornLens contact_lens(const Prescription& rx)
 {
     require_valid(rx);
-    return {.power_d = power_matrix_camera(rx), .distance_m = cornea_to_entrance_pupil_m};
+    return {.power_d = power_matrix_camera(rx),
+            .distance_m = cornea_to_entrance_pupil_m,
+            .prism_slope = prism_slope(rx)};
 }
 
 std::unique_ptr<EyeModel> make_corrected_eye(std::unique_ptr<const EyeModel> eye,

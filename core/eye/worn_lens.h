@@ -15,6 +15,7 @@ inline constexpr double max_vertex_m = 20e-3;
 struct WornLens {
     PowerMatrix power_d;      // where the lens is, camera frame
     double distance_m = 0.0;  // before the entrance pupil
+    V2d prism_slope{0.0};     // by which it bends the line of sight
 };
 
 // Glasses made to a prescription, `vertex_m` before the cornea. Both throw std::invalid_argument

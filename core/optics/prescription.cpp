@@ -23,6 +23,23 @@ void require_valid(const Prescription& rx)
     require_range("cylinder_d", rx.cylinder_d, -max_cylinder_d, max_cylinder_d, "D");
     require_range("axis_deg", rx.axis_deg, 0.0, 180.0, "");
     require_range("add_d", rx.add_d, 0.0, max_add_d, "D");
+    require_range("base_in_pd", rx.base_in_pd, -max_prism_pd, max_prism_pd, "prism dioptres");
+    require_range("base_up_pd", rx.base_up_pd, -max_prism_pd, max_prism_pd, "prism dioptres");
+}
+
+V2d prism_slope(const Prescription& rx)
+{
+    constexpr double slope_per_pd = 0.01;
+    if (rx.base_in_pd == 0.0) {
+        return {0.0, slope_per_pd * rx.base_up_pd};
+    }
+    if (rx.eye != EyeSide::Right && rx.eye != EyeSide::Left) {
+        throw std::invalid_argument("a prism of " + number_text(rx.base_in_pd) +
+                                    " prism dioptres base in needs to know whose nose it points "
+                                    "to; expected a prescription with OD or OS");
+    }
+    const double towards_nose = rx.eye == EyeSide::Right ? -1.0 : 1.0;
+    return V2d(towards_nose * rx.base_in_pd, rx.base_up_pd) * slope_per_pd;
 }
 
 double normalized_axis_deg(double axis_deg)
@@ -83,6 +100,8 @@ double camera_angle_deg(double axis_deg) { return 180.0 - normalized_axis_deg(ax
 Prescription crossed(const Prescription& a, const Prescription& b)
 {
     Prescription sum = prescription_from(power_matrix_tabo(a) + power_matrix_tabo(b));
+    sum.base_in_pd = a.base_in_pd + b.base_in_pd;
+    sum.base_up_pd = a.base_up_pd + b.base_up_pd;
     sum.eye = a.eye;
     return sum;
 }

@@ -20,6 +20,7 @@ namespace eye_render {
 inline constexpr double max_sphere_d = 30.0;
 inline constexpr double max_cylinder_d = 15.0;
 inline constexpr double max_add_d = 4.0;
+inline constexpr double max_prism_pd = 30.0;
 
 enum class EyeSide { Unspecified, Right, Left, Both };
 
@@ -28,6 +29,10 @@ struct Prescription {
     double cylinder_d = 0.0;  // minus or plus form, as written
     double axis_deg = 180.0;  // TABO; without meaning when the cylinder is 0
     double add_d = 0.0;       // near addition, 0 for none
+    // Prism, in prism dioptres (1 cm at 1 m): how far the line of sight is bent towards the nose
+    // and upwards, where the prism's base is. Negative: base out, base down.
+    double base_in_pd = 0.0;
+    double base_up_pd = 0.0;
     EyeSide eye = EyeSide::Unspecified;
 
     [[nodiscard]] bool operator==(const Prescription&) const = default;
@@ -35,6 +40,11 @@ struct Prescription {
 
 // Throws std::invalid_argument unless every number is finite and in its range.
 void require_valid(const Prescription& rx);
+
+// By how much the prism bends the line of sight, as a slope in the camera frame: what is seen
+// moves the other way. The nose is to the left as the right eye sees it, to the right for the left
+// eye. Throws std::invalid_argument for a prism base in or out of an eye that is neither.
+[[nodiscard]] V2d prism_slope(const Prescription& rx);
 
 // An axis as it is written: above 0, up to 180.
 [[nodiscard]] double normalized_axis_deg(double axis_deg);
@@ -72,8 +82,8 @@ enum class CylinderForm { Minus, Plus };
 // 0 to below 180.
 [[nodiscard]] double camera_angle_deg(double axis_deg);
 
-// The lens that two lenses in contact make. Their axes may cross at any angle. The eye's side is
-// the first lens's.
+// The lens that two lenses in contact make, prisms included. Their axes may cross at any angle.
+// The eye's side is the first lens's.
 [[nodiscard]] Prescription crossed(const Prescription& a, const Prescription& b);
 
 // Power along a meridian (curvital) and across it (torsional): how much a ray that enters on the

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace eye_render {
 
@@ -50,6 +51,14 @@ std::string format_prescription(const Prescription& rx)
     if (rx.cylinder_d != 0.0) {
         text += ' ' + power_text(rx.cylinder_d) + "DC " + decimal_text(rx.axis_deg, 0) + "A";
     }
+    const auto add_prism = [&text](double power_pd, const char* base, const char* opposite) {
+        if (power_pd != 0.0) {
+            text += ' ' + decimal_text(std::abs(power_pd), 2) + "\u0394 " +
+                    (power_pd > 0.0 ? base : opposite);
+        }
+    };
+    add_prism(rx.base_in_pd, "BI", "BO");
+    add_prism(rx.base_up_pd, "BU", "BD");
     if (rx.add_d != 0.0) {
         text += " add " + power_text(rx.add_d);
     }

@@ -1,5 +1,5 @@
-// The grammar over the tokens: ["Rx"] [eye] sphere [cylinder axis] [add], all or its tail
-// bracketed.
+// The grammar over the tokens: ["Rx"] [eye] sphere [cylinder axis] {prism} [add] {prism}, all or
+// its tail bracketed.
 
 #include "optics/prescription_text.h"
 
@@ -7,6 +7,7 @@
 #include "optics/prescription_tokens.h"
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <vector>
 
@@ -33,16 +34,18 @@ std::string as_typed(const PrescriptionToken& token)
 // "-075" is how some write -0.75, and nobody writes so of 75 dioptres.
 double checked_power(std::string_view name,
                      const PrescriptionToken& number,
-                     double minimum_d,
-                     double maximum_d)
+                     double minimum,
+                     double maximum,
+                     std::string_view unit = "D")
 {
     const bool implied_point =
         number.text.size() > 2 && number.text.find('.') == std::string::npos;
-    if (implied_point || !(number.value >= minimum_d && number.value <= maximum_d)) {
+    if (implied_point || !(number.value >= minimum && number.value <= maximum)) {
         throw PrescriptionError(PrescriptionErrorCode::PowerRange,
-                                std::string(name) + " is " + as_typed(number) + " D; expected " +
-                                    number_text(minimum_d) + " to " + number_text(maximum_d) +
-                                    " D, with its decimal point, as in -2.00");
+                                std::string(name) + " is " + as_typed(number) + ' ' +
+                                    std::string(unit) + "; expected " + number_text(minimum) +
+                                    " to " + number_text(maximum) + ' ' + std::string(unit) +
+                                    ", with its decimal point, as in -2.00");
     }
     return number.value;
 }
@@ -53,7 +56,6 @@ public:
 
     Prescription parse()
     {
-        refuse_prism();
         int open_brackets = take_mark("(") ? 1 : 0;
         take_word({"rx"});
         Prescription rx{.eye = take_eye()};
@@ -64,10 +66,12 @@ public:
             take_cylinder(rx, announced);
         }
         open_brackets -= take_closing(open_brackets);
+        take_prisms(rx);
         if (take_word({"add"})) {
             rx.add_d = checked_power("add_d", take_number("an addition"), 0.0, max_add_d);
             take_word({"d", "ds", "dpt"});
         }
+        take_prisms(rx);
         if (take_closing(open_brackets) < open_brackets) {
             fail_syntax("a bracket is not closed");
         }
@@ -79,18 +83,41 @@ public:
     }
 
 private:
-    void refuse_prism() const
+    // Any number of prisms, such as "2\u0394 BU 1.5\u0394 BI"; those of one direction add up.
+    void take_prisms(Prescription& rx)
     {
-        for (const PrescriptionToken& token : tokens_) {
-            for (const std::string_view prism :
-                 {"\u0394", "^", "pd", "prism", "bu", "bd", "bi", "bo"}) {
-                if (token.kind != Kind::Number && token.text == prism) {
-                    throw PrescriptionError(
-                        PrescriptionErrorCode::Syntax,
-                        "prism is not supported yet: leave it out of the prescription");
-                }
+        while (next_is_prism()) {
+            const PrescriptionToken& number = take_number("a prism");
+            if (number.sign != 0) {
+                fail_syntax("a prism has a base, not a sign: " + as_typed(number));
+            }
+            const double power_pd =
+                checked_power("prism", number, 0.0, max_prism_pd, "prism dioptres");
+            if (!take_mark("\u0394") && !take_mark("^")) {
+                take_word({"pd", "prism"});
+            }
+            take_word({"base"});
+            if (take_word({"bu", "up"})) {
+                rx.base_up_pd += power_pd;
+            } else if (take_word({"bd", "down"})) {
+                rx.base_up_pd -= power_pd;
+            } else if (take_word({"bi", "in"})) {
+                rx.base_in_pd += power_pd;
+            } else if (take_word({"bo", "out"})) {
+                rx.base_in_pd -= power_pd;
+            } else {
+                fail_syntax("a prism needs its base: BU, BD, BI or BO");
             }
         }
+    }
+
+    [[nodiscard]] bool next_is_prism() const
+    {
+        constexpr std::array<std::string_view, 9> followers{"\u0394", "^",  "pd", "prism", "base",
+                                                            "bu",     "bd", "bi", "bo"};
+        return next_is(Kind::Number) && next_ + 1 < tokens_.size() &&
+               std::find(followers.begin(), followers.end(), tokens_[next_ + 1].text) !=
+                   followers.end();
     }
 
     EyeSide take_eye()
@@ -124,7 +151,7 @@ private:
     void take_cylinder(Prescription& rx, bool announced)
     {
         const bool labelled = take_word({"cyl", "cylinder", "c"});
-        if (!announced && !labelled && !next_is(Kind::Number)) {
+        if (!announced && !labelled && (!next_is(Kind::Number) || next_is_prism())) {
             return;
         }
         const PrescriptionToken& cylinder = take_number("a cylinder");

@@ -95,6 +95,20 @@ TEST(WornLens, minus_glasses_make_the_world_smaller)
     EXPECT_NEAR(magnification, 1.0 / (1.0 + 0.01505 * 10.0), 1e-12);
 }
 
+// A prism bends the line of sight towards its base, so what is seen moves towards its apex.
+TEST(WornLens, a_prism_shifts_the_picture_and_does_not_blur_it)
+{
+    const auto slope_through = [](const Prescription& lens, const V2d& pupil_point_m) {
+        return wearing({}, glasses(lens, vertex_m))->ray(V2d(0.0), pupil_point_m, 555.0).slope;
+    };
+    for (const V2d& p : {V2d(0.0), V2d(1e-3, -2e-3)}) {
+        EXPECT_EQ(slope_through({.base_up_pd = 2.0}, p), V2d(0.0, 0.02));
+        EXPECT_EQ(slope_through({.base_in_pd = 3.0, .eye = EyeSide::Right}, p), V2d(-0.03, 0.0));
+        EXPECT_EQ(slope_through({.base_in_pd = 3.0, .eye = EyeSide::Left}, p), V2d(0.03, 0.0));
+    }
+    EXPECT_THROW((void)glasses({.base_in_pd = 1.0}, vertex_m), std::invalid_argument);
+}
+
 TEST(WornLens, glasses_whose_focus_is_the_pupil_are_refused)
 {
     EXPECT_THROW((void)glasses({.sphere_d = 30.0, .cylinder_d = 15.0, .axis_deg = 10.0}, 20e-3),

@@ -143,10 +143,27 @@ TEST(PrescriptionText, errors_are_sentences_for_the_one_who_typed)
               "cannot read 'banana' as a sphere; write for example -2.00DS -0.75DC 160A");
     EXPECT_EQ(sentence("(-2.00"),
               "a bracket is not closed; write for example -2.00DS -0.75DC 160A");
-    EXPECT_EQ(sentence("-2.00 2\u0394 BU"),
-              "prism is not supported yet: leave it out of the prescription");
-    EXPECT_EQ(sentence("OD -2.00 1.5 BI"),
-              "prism is not supported yet: leave it out of the prescription");
+    EXPECT_EQ(sentence("-2.00 2\u0394"), "a prism needs its base: BU, BD, BI or BO; write for "
+                                         "example -2.00DS -0.75DC 160A");
+    EXPECT_EQ(sentence("-2.00 -2\u0394 BU"), "a prism has a base, not a sign: -2; write for "
+                                             "example -2.00DS -0.75DC 160A");
+}
+
+TEST(PrescriptionText, prisms_are_read_with_their_bases)
+{
+    const Prescription rx = parse_prescription("OD -2.00 -0.75 x 160 2\u0394 BU 1.5^ BO add 2.00");
+    EXPECT_EQ(rx.base_up_pd, 2.0);
+    EXPECT_EQ(rx.base_in_pd, -1.5);
+    EXPECT_EQ(rx.add_d, 2.0);
+    EXPECT_EQ(rx.axis_deg, 160.0);
+    for (const char* text : {"-2.00 3 BI", "-2.00DS 3pd base in", "-2.00 add 1.00 3.00\u2206 BI",
+                             "-2.00 1^ BI 2^ BI", "(-2.00 3 prism in)"}) {
+        EXPECT_EQ(parse_prescription(text).base_in_pd, 3.0) << text;
+        EXPECT_EQ(parse_prescription(text).cylinder_d, 0.0) << text;
+    }
+    const Prescription both{.sphere_d = 1.0, .base_in_pd = -0.5, .base_up_pd = 2.25};
+    EXPECT_EQ(format_prescription(both), "+1.00DS 0.50\u0394 BO 2.25\u0394 BU");
+    EXPECT_EQ(parse_prescription(format_prescription(both)), both);
 }
 
 TEST(PrescriptionText, parsing_undoes_formatting)
