@@ -13,6 +13,7 @@ inline constexpr double pi = std::numbers::pi;
 // A division, so that 9 mm is the double nearest to 0.009 m and comes back as 9 mm.
 [[nodiscard]] constexpr double m_from_mm(double length_mm) { return length_mm / 1e3; }
 [[nodiscard]] constexpr double mm_from_m(double length_m) { return length_m * 1e3; }
+[[nodiscard]] constexpr double m_from_um(double length_um) { return length_um / 1e6; }
 [[nodiscard]] constexpr double rad_from_deg(double angle_deg) { return angle_deg * (pi / 180.0); }
 [[nodiscard]] constexpr double deg_from_rad(double angle_rad) { return angle_rad * (180.0 / pi); }
 [[nodiscard]] constexpr double arcmin_from_rad(double angle_rad)

@@ -25,6 +25,15 @@ PowerMatrix rx_as_written(const EyeSpec& spec)
     return power;
 }
 
+const Wavefront& measured_wavefront(const EyeSpec& spec)
+{
+    if (!spec.wavefront) {
+        throw std::invalid_argument("the wavefront model needs the eye's wavefront");
+    }
+    require_covers(*spec.wavefront, spec.pupil_diameter_m);
+    return *spec.wavefront;
+}
+
 std::unique_ptr<EyeModel> make_bare_eye(const EyeSpec& spec)
 {
     const PowerMatrix rx_entrance_pupil = rx_at_entrance_pupil(spec);
@@ -33,8 +42,11 @@ std::unique_ptr<EyeModel> make_bare_eye(const EyeSpec& spec)
         return make_paper_eye(rx_as_written(spec), spec.accommodation_d, spec.pupil_diameter_m,
                               spec.eye_length_m);
     }
-    return make_paraxial_eye(PowerMatrix::sphere(spec.accommodation_d) - rx_entrance_pupil,
-                             spec.pupil_diameter_m);
+    const PowerMatrix conjugate_d = PowerMatrix::sphere(spec.accommodation_d) - rx_entrance_pupil;
+    if (spec.model == EyeModelKind::Wavefront) {
+        return make_wavefront_eye(conjugate_d, spec.pupil_diameter_m, measured_wavefront(spec));
+    }
+    return make_paraxial_eye(conjugate_d, spec.pupil_diameter_m);
 }
 
 }  // namespace
@@ -55,6 +67,7 @@ std::string_view to_string(EyeModelKind kind)
     case EyeModelKind::Pinhole: return "pinhole";
     case EyeModelKind::Paper: return "paper";
     case EyeModelKind::Paraxial: return "paraxial";
+    case EyeModelKind::Wavefront: return "wavefront";
     }
     return "";
 }
@@ -73,6 +86,7 @@ std::unique_ptr<EyeModel> make_eye(const EyeSpec& spec)
     require_range("pupil_mm", mm_from_m(spec.pupil_diameter_m), 0.0,
                   mm_from_m(max_pupil_diameter_m), "mm");
     require_range("accommodation_d", spec.accommodation_d, 0.0, max_accommodation_d, "D");
+    if (spec.wavefront) require_valid(*spec.wavefront);
     std::unique_ptr<EyeModel> eye = make_bare_eye(spec);
     if (spec.model == EyeModelKind::Pinhole) return make_pinhole_eye();
     return spec.worn ? make_corrected_eye(std::move(eye), *spec.worn) : std::move(eye);

@@ -5,6 +5,7 @@
 #include "eye/eye_model.h"
 #include "eye/worn_lens.h"
 #include "optics/prescription.h"
+#include "optics/wavefront.h"
 
 #include <array>
 #include <memory>
@@ -15,12 +16,12 @@
 namespace eye_render {
 
 // Cheapest first.
-enum class EyeModelKind { Pinhole, Paper, Paraxial };
+enum class EyeModelKind { Pinhole, Paper, Paraxial, Wavefront };
 
 inline constexpr std::array eye_model_kinds{EyeModelKind::Pinhole, EyeModelKind::Paper,
-                                            EyeModelKind::Paraxial};
+                                            EyeModelKind::Paraxial, EyeModelKind::Wavefront};
 
-// "pinhole", "paper", "paraxial".
+// "pinhole", "paper", "paraxial", "wavefront".
 [[nodiscard]] std::string_view to_string(EyeModelKind kind);
 
 // Where the prescription was written for: the lens before the eye, a contact lens, or the
@@ -45,6 +46,9 @@ struct EyeSpec {
     double pupil_diameter_m = 4e-3;  // of the entrance pupil, 0 for none
     double accommodation_d = 0.0;    // referred to the entrance pupil
     double eye_length_m = 17e-3;     // the paper's d_eye; used with EyeModelKind::Paper
+    // In the clinician's frame; needed with EyeModelKind::Wavefront and then at least as wide as
+    // the pupil. The prescription stands for its tilt and second order: see wavefront.cpp.
+    std::optional<Wavefront> wavefront{};
     std::optional<WornLens> worn{};  // what the eye looks through; the pinhole ignores it
 };
 

@@ -5,6 +5,7 @@
 
 #include "eye/eye_model.h"
 #include "eye/worn_lens.h"
+#include "optics/wavefront.h"
 
 #include <memory>
 
@@ -21,6 +22,12 @@ namespace eye_render {
 
 [[nodiscard]] std::unique_ptr<EyeModel> make_paraxial_eye(const PowerMatrix& retinal_conjugate_d,
                                                           double pupil_diameter_m);
+
+// The paraxial eye plus what lies beyond the second order in `wavefront`, which covers the pupil
+// and is in the clinician's frame.
+[[nodiscard]] std::unique_ptr<EyeModel> make_wavefront_eye(const PowerMatrix& retinal_conjugate_d,
+                                                           double pupil_diameter_m,
+                                                           const Wavefront& wavefront);
 
 // The eye behind a lens.
 [[nodiscard]] std::unique_ptr<EyeModel> make_corrected_eye(std::unique_ptr<const EyeModel> eye,

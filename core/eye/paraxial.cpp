@@ -2,9 +2,10 @@
 // K = A I - Rx of the retina's conjugate vergences (Long 1976). There is no division, so focus at
 // infinity and hyperopia (K < 0, a virtual conjugate behind the eye) are ordinary values, and
 // K = 0 returns the chief slope bit for bit. With slopes per unit of forward travel a spherical K
-// focuses on the plane Z = -1/K.
+// focuses on the plane Z = -1/K. K changes with wavelength as the chromatic eye's.
 
 #include "eye/models.h"
+#include "optics/chromatic.h"
 
 namespace eye_render {
 
@@ -19,10 +20,12 @@ public:
 
     [[nodiscard]] EyeRay ray(const V2d& chief_slope,
                              const V2d& pupil_point_m,
-                             double /*wavelength_nm*/) const override
+                             double wavelength_nm) const override
     {
+        const PowerMatrix focus_d =
+            retinal_conjugate_d_ - PowerMatrix::sphere(chromatic_difference_d(wavelength_nm));
         return {.origin_eye_m = {pupil_point_m.x, pupil_point_m.y, 0.0},
-                .slope = chief_slope - retinal_conjugate_d_ * pupil_point_m};
+                .slope = chief_slope - focus_d * pupil_point_m};
     }
 
     [[nodiscard]] PowerMatrix retinal_conjugate_d() const override { return retinal_conjugate_d_; }

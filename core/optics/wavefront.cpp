@@ -38,6 +38,16 @@ void require_valid(const Wavefront& wavefront)
                   max_wavelength_nm, "nm");
 }
 
+void require_covers(const Wavefront& wavefront, double pupil_diameter_m)
+{
+    if (pupil_diameter_m > wavefront.pupil_diameter_m) {
+        throw std::invalid_argument("a wavefront measured over a pupil of " +
+                                    number_text(mm_from_m(wavefront.pupil_diameter_m)) +
+                                    " mm says nothing about one of " +
+                                    number_text(mm_from_m(pupil_diameter_m)) + " mm");
+    }
+}
+
 Wavefront mirrored(const Wavefront& wavefront)
 {
     Wavefront result = wavefront;
@@ -53,12 +63,7 @@ Wavefront rescaled(const Wavefront& wavefront, double pupil_diameter_m)
 {
     require_range("pupil_mm", mm_from_m(pupil_diameter_m), mm_from_m(min_wavefront_pupil_m),
                   mm_from_m(max_wavefront_pupil_m), "mm");
-    if (pupil_diameter_m > wavefront.pupil_diameter_m) {
-        throw std::invalid_argument("a wavefront measured over a pupil of " +
-                                    number_text(mm_from_m(wavefront.pupil_diameter_m)) +
-                                    " mm says nothing about one of " +
-                                    number_text(mm_from_m(pupil_diameter_m)) + " mm");
-    }
+    require_covers(wavefront, pupil_diameter_m);
     const double ratio = pupil_diameter_m / wavefront.pupil_diameter_m;
     Wavefront result = wavefront;
     result.pupil_diameter_m = pupil_diameter_m;

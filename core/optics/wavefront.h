@@ -30,13 +30,17 @@ struct Wavefront {
 // Throws std::invalid_argument for more than 28 coefficients and for numbers out of range.
 void require_valid(const Wavefront& wavefront);
 
+// Throws std::invalid_argument when the pupil is wider than the wavefront, beyond which nothing
+// was measured. The message names both.
+void require_covers(const Wavefront& wavefront, double pupil_diameter_m);
+
 // Seen from the other side, from the clinician's frame to the camera's and back: negates what is
 // odd in x. The fellow eye of a mirror-symmetric pair, too.
 [[nodiscard]] Wavefront mirrored(const Wavefront& wavefront);
 
 // The part of the same wavefront inside a smaller, concentric pupil (Janssen & Dirksen 2006,
 // "Concise formula for the Zernike coefficients of scaled pupils"). Throws std::invalid_argument
-// for a larger pupil, where nothing was measured.
+// for a larger pupil.
 [[nodiscard]] Wavefront rescaled(const Wavefront& wavefront, double pupil_diameter_m);
 
 // Root mean square over the pupil of what no prescription corrects: the third order and above.

@@ -44,20 +44,24 @@ TEST(EyeFactory, refuses_what_is_out_of_range_in_every_model)
 
 TEST(EyeFactory, accepts_both_ends_of_every_range)
 {
+    const Wavefront wavefront{.pupil_diameter_m = max_pupil_diameter_m};
     for (const EyeModelKind model : eye_model_kinds) {
         for (const double end : {0.0, 1.0}) {
             EXPECT_EQ(refusal({.model = model,
                                .vertex_m = end * max_vertex_m,
                                .pupil_diameter_m = end * max_pupil_diameter_m,
-                               .accommodation_d = end * max_accommodation_d}),
+                               .accommodation_d = end * max_accommodation_d,
+                               .wavefront = wavefront}),
                       "accepted");
         }
-        EXPECT_EQ(
-            refusal({.model = model, .rx = Prescription{.sphere_d = -30.0, .cylinder_d = -15.0}}),
-            "accepted");
-        EXPECT_EQ(
-            refusal({.model = model, .rx = Prescription{.sphere_d = 30.0, .cylinder_d = 15.0}}),
-            "accepted");
+        EXPECT_EQ(refusal({.model = model,
+                           .rx = Prescription{.sphere_d = -30.0, .cylinder_d = -15.0},
+                           .wavefront = wavefront}),
+                  "accepted");
+        EXPECT_EQ(refusal({.model = model,
+                           .rx = Prescription{.sphere_d = 30.0, .cylinder_d = 15.0},
+                           .wavefront = wavefront}),
+                  "accepted");
     }
 }
 
