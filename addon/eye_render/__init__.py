@@ -10,12 +10,19 @@ bl_info = {
     "category": "Render",
 }
 
-from . import batch, engine, properties, ui  # noqa: E402  (bl_info comes first by convention)
+from . import (  # noqa: E402  (bl_info comes first by convention)
+    batch,
+    engine,
+    properties,
+    pupils,
+    ui,
+)
 
 
 def register():
     properties.register()
     batch.register()
+    pupils.register()
     engine.register()
     ui.register()
 
@@ -23,4 +30,5 @@ def register():
 def unregister():
     ui.unregister()
     engine.unregister()
+    pupils.unregister()
     properties.unregister()

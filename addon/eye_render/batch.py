@@ -1,12 +1,14 @@
 """Options after `--` on Blender's command line: they rule this run and are never saved."""
 
+import difflib
 import sys
-from collections.abc import Callable
 from dataclasses import dataclass
 
-from . import choices, core
+from .options import HELP, OPTIONS, help_rows
 
 EXIT_STATUS = 2  # of a run with a bad option
+_PREFIX = "--eye"
+_LIKENESS = 0.75  # of a misspelling to the option meant, 1 for the same text
 
 
 class OptionError(ValueError):
@@ -33,69 +35,6 @@ class Overrides:
 overrides = Overrides()
 
 
-def _prescription(text: str) -> str:
-    # Without the core nothing is rendered anyhow, and its absence has been said.
-    if core.module is not None:
-        core.module.Prescription.parse(text)
-    return text
-
-
-def _one_of(items: list[tuple]) -> Callable[[str], str]:
-    names = [item[0] for item in items]
-
-    def read(text: str) -> str:
-        if text.upper() not in names:
-            raise ValueError("expected " + ", ".join(name.lower() for name in names))
-        return text.upper()
-
-    return read
-
-
-def _number(kind: type, limits: tuple, unit: str = "", words: tuple[str, ...] = ()) -> Callable:
-    lowest, highest = limits
-    allowed = f"expected {lowest:g} to {highest:g}{unit}"
-    if words:
-        allowed += " or " + " or ".join(words)
-
-    def read(text: str) -> str | float:
-        if text.lower() in words:
-            return text.lower()
-        try:
-            number = kind(text)
-        except ValueError:
-            raise ValueError(allowed) from None
-        if not lowest <= number <= highest:
-            raise ValueError(allowed)
-        return number
-
-    return read
-
-
-def _sample_range(text: str) -> tuple[int, int]:
-    try:
-        first, end = (int(part) for part in text.split(":"))
-    except ValueError:
-        first, end = 0, 0
-    if not 0 <= first < end:
-        raise ValueError("expected A:B, the samples A to B-1, with 0 <= A < B")
-    return first, end
-
-
-_READERS: dict[str, Callable[[str], object]] = {
-    "--eye-rx": _prescription,
-    "--eye-rx-left": _prescription,
-    "--eye-side": _one_of(choices.EYES),
-    "--eye-pupil": _number(float, choices.PUPIL_RANGE_MM, " mm", ("auto",)),
-    "--eye-focus": _number(float, choices.FOCUS_RANGE_M, " metres", ("relaxed", "center")),
-    "--eye-age": _number(float, choices.AGE_RANGE_YEARS, " years"),
-    "--eye-model": _one_of(choices.EYE_MODELS),
-    "--eye-quality": _one_of(choices.QUALITIES),
-    "--eye-samples": _number(int, choices.SAMPLES_RANGE),
-    "--eye-seed": _number(int, choices.SEED_RANGE),
-    "--eye-sample-range": _sample_range,
-}
-
-
 def parse(arguments: list[str]) -> Overrides:
     """Read the `--eye-…` options, as `--option value` or `--option=value`.
 
@@ -105,26 +44,42 @@ def parse(arguments: list[str]) -> Overrides:
     remaining = iter(arguments)
     for argument in remaining:
         option, has_value, value = argument.partition("=")
-        if not option.startswith("--eye-"):
+        if not option.startswith(_PREFIX):
             continue
-        if option not in _READERS:
-            raise OptionError(f"{option} is unknown; expected one of {', '.join(_READERS)}")
+        if option not in OPTIONS:
+            raise OptionError(_unknown(option))
         if not has_value:
             value = next(remaining, None)
-            if value is None:
-                raise OptionError(f"{option} has no value")
+            if value is None or value.startswith(_PREFIX):
+                raise OptionError(f"{option} has no value; expected {OPTIONS[option].allowed}")
         try:
             field = option.removeprefix("--eye-").replace("-", "_")
-            setattr(result, field, _READERS[option](value))
+            setattr(result, field, OPTIONS[option].read(value))
         except ValueError as error:
             raise OptionError(f'{option} is "{value}"; {error}') from None
     return result
 
 
+def _unknown(option: str) -> str:
+    alike = difflib.get_close_matches(option, OPTIONS, 1, _LIKENESS)
+    hint = f" (did you mean {alike[0]}?)" if alike else ""
+    return f"{option} is unknown{hint}; expected one of {', '.join(OPTIONS)}"
+
+
+def help_text() -> str:
+    rows = help_rows()
+    widths = [max(len(row[column]) for row in rows) for column in range(2)]
+    lines = [f"  {row[0]:{widths[0]}}  {row[1]:{widths[1]}}  {row[2]}".rstrip() for row in rows]
+    return "\n".join(["Eye Render's options, after -- on Blender's command line:", *lines])
+
+
 def register():
-    """Read this run's options; a bad one ends Blender."""
+    """Read this run's options; a bad one, or a call for help, ends Blender."""
     global overrides
     arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
+    if HELP in arguments:
+        print(help_text(), flush=True)
+        sys.exit(0)
     try:
         overrides = parse(arguments)
     except OptionError as error:

@@ -32,6 +32,15 @@ PUPIL_FORMULAS = [
     ("WINN", "Winn et al. 1994", "From luminance and age", 9),
 ]
 
+# Those that ask for the adapting field's extent, and for how many eyes see it.
+FORMULAS_OF_FIELD = {"WATSON_YELLOTT", "STANLEY_DAVIES", "BARTEN"}
+FORMULAS_OF_EYES = {"WATSON_YELLOTT"}
+
+PUPIL_FIELDS = [
+    ("CAMERA", "Picture", "The picture's own field, so a wider lens narrows the pupil", 0),
+    ("FIXED", "Fixed", "A disc of the given diameter, whatever the lens", 1),
+]
+
 FOCUS_MODES = [
     ("RELAXED", "Relaxed", "The eye rests at its far point", 0),
     ("DISTANCE", "Distance", "The eye looks at the camera's focus distance or object", 1),
@@ -56,6 +65,7 @@ QUALITY_SAMPLES = {"DRAFT": 16, "PREVIEW": 64, "FINAL": 256, "REFERENCE": 4096}
 
 # As the core checks them.
 PUPIL_RANGE_MM = (0.0, 9.0)
+FIELD_RANGE_DEG = (0.1, 180.0)
 FOCUS_RANGE_M = (0.01, 1e12)
 AGE_RANGE_YEARS = (0.0, 120.0)
 SAMPLES_RANGE = (1, 1 << 24)

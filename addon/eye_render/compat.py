@@ -28,7 +28,7 @@ def world_of(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bpy.typ
 
 
 def light_factor(light: bpy.types.Light) -> tuple[np.ndarray, bool]:
-    """What this Blender multiplies a light's colour by, and whether energy is spread over their area."""
+    """What this Blender multiplies a light's colour by, and whether area leaves power alone."""
     factor = np.full(3, 2.0 ** getattr(light, "exposure", 0.0))
     if getattr(light, "use_temperature", False):
         factor *= np.array(light.temperature_color)

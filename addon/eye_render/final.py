@@ -6,10 +6,11 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
-from . import batch, export, passes
+from . import batch, export, passes, pupils
 from .core import EyeRenderError
 from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
-from .session import RenderSession, make_observer, make_settings
+from .pupils import FoundPupil
+from .session import RenderSession, has_automatic_pupil, make_observer, make_settings
 
 SLICE_S = 0.1  # between looks at the Esc key
 FIRST_PICTURE_S = 0.5  # until the picture is shown for the first time
@@ -57,9 +58,17 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
     try:
         engine.update_stats("", "Exporting the scene")
         core_scene = export.export_scene(depsgraph, warn, check_cancel)
+        settings = camera.data.eye_render
+        is_automatic = has_automatic_pupil(settings, batch.overrides)
+        is_held = is_automatic and settings.pupil_hold
+        known_pupil = pupils.first_of_render(camera.data) if is_held else None
         for view in engine.get_result().views:
             engine.active_view_set(view.name)
-            _render_view(engine, depsgraph, core_scene, pass_names, view.name, warn)
+            found = _render_view(
+                engine, depsgraph, core_scene, pass_names, view.name, known_pupil, warn
+            )
+            if is_automatic:  # one person's pupils are alike: the views share the first one's
+                known_pupil = found
     except _Cancelled:
         return
 
@@ -70,8 +79,9 @@ def _render_view(
     core_scene,
     pass_names: list[str],
     view_name: str,
+    known_pupil: FoundPupil | None,
     warn: Callable[[str], None],
-) -> None:
+) -> FoundPupil:
     scene = depsgraph.scene_eval
     camera = engine.camera_override or scene.camera
     overrides = batch.overrides
@@ -89,6 +99,7 @@ def _render_view(
         overrides,
         eye,
         focus_distance_m(depsgraph, camera, world_from_camera),
+        known_pupil.diameter_mm if known_pupil else None,
     )
     core_settings = make_settings(scene, overrides, pass_names)
 
@@ -96,11 +107,16 @@ def _render_view(
     with RenderSession(core_scene, observer, core_settings) as session:
         for line in session.plan_text.strip().splitlines():
             _say(line)
-        _say(f"pupil: {session.pupil_report}")
+        where = f"frame {scene.frame_current}" + (f", view {view_name}" if view_name else "")
+        pupil = known_pupil or pupils.found_by(session, where)
+        _say(f"pupil: {pupil.report}" + (f", as in {pupil.where}" if known_pupil else ""))
         for sentence in session.warnings:
             warn(sentence)
-        _stamp(engine, {**session.metadata, "eye": eye.lower()}, view_name)
+        metadata = {**session.metadata, **pupil.metadata, "eye": eye.lower()}
+        _stamp(engine, metadata, view_name)
+        pupils.remember(camera.data, pupil)
         _show_until_finished(engine, depsgraph, session, frame, view_name)
+    return pupil
 
 
 def _stamp(engine: bpy.types.RenderEngine, metadata: dict[str, str], view_name: str) -> None:

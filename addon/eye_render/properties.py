@@ -7,114 +7,12 @@ from bpy.props import (
     FloatProperty,
     IntProperty,
     PointerProperty,
-    StringProperty,
 )
 from bpy.types import PropertyGroup
 
-from . import choices, core
-
-_step_in_progress = False  # one side of a prescription is being written from the other
-
-
-def _write_in_step(prescription: "EyeRenderPrescription", **values) -> None:
-    """Set properties without their update callbacks writing back."""
-    global _step_in_progress
-    _step_in_progress = True
-    try:
-        for name, value in values.items():
-            setattr(prescription, name, value)
-    finally:
-        _step_in_progress = False
-
-
-def _text_changed(self, _context):
-    if _step_in_progress or core.module is None:
-        return
-    try:
-        rx = core.module.Prescription.parse(self.text)
-    except ValueError:
-        return  # the numbers keep the last valid text; panel and render show `problem()`
-    _write_in_step(
-        self, sphere=rx.sphere_d, cylinder=rx.cylinder_d, axis=rx.axis_deg, add=rx.add_d
-    )
-
-
-def _number_changed(self, _context):
-    if _step_in_progress or core.module is None:
-        return
-    try:
-        text = self.as_core().text()
-    except ValueError:
-        return
-    _write_in_step(self, text=text)
-
-
-class EyeRenderPrescription(PropertyGroup):
-    """One eye's refraction at the spectacle plane. The text, while valid, equals the numbers."""
-
-    text: StringProperty(
-        name="Prescription",
-        description='What an optician writes, for example "-2.00DS -0.75DC 160A"',
-        default="Plano",
-        update=_text_changed,
-    )
-    sphere: FloatProperty(
-        name="Sphere",
-        description="Spherical power in dioptres, negative for a short-sighted eye",
-        min=-30.0,
-        max=30.0,
-        soft_min=-20.0,
-        soft_max=20.0,
-        step=25,
-        precision=2,
-        update=_number_changed,
-    )
-    cylinder: FloatProperty(
-        name="Cylinder",
-        description="Cylindrical power in dioptres, zero for an eye without astigmatism",
-        min=-15.0,
-        max=15.0,
-        soft_min=-6.0,
-        soft_max=6.0,
-        step=25,
-        precision=2,
-        update=_number_changed,
-    )
-    axis: FloatProperty(
-        name="Axis",
-        description="Axis of the cylinder in degrees, counter-clockwise as the optician sees it",
-        min=0.0,
-        max=180.0,
-        default=180.0,
-        step=500,
-        precision=0,
-        update=_number_changed,
-    )
-    add: FloatProperty(
-        name="Add",
-        description="Reading addition in dioptres, kept with the prescription",
-        min=0.0,
-        max=4.0,
-        step=25,
-        precision=2,
-        update=_number_changed,
-    )
-
-    def as_core(self):
-        """The numbers as the core's Prescription; they lead, because they can be animated."""
-        numbers = (self.sphere, self.cylinder, self.axis, self.add)
-        # Blender's single precision turns -2.1 into -2.0999999; nobody means that.
-        return core.require().Prescription(*(round(number, 5) for number in numbers))
-
-    def problem(self) -> str:
-        """What is wrong with the text, as a sentence; empty if nothing is."""
-        if core.module is None:
-            return ""
-        try:
-            core.module.Prescription.parse(self.text)
-        except ValueError as error:
-            return str(error)
-        return ""
+from . import choices
+from .prescription import EyeRenderLeftPrescription, EyeRenderRightPrescription
+from .prescription import classes as _prescription_classes
 
 
 class EyeRenderObserver(PropertyGroup):
@@ -126,8 +24,8 @@ class EyeRenderObserver(PropertyGroup):
         items=choices.EYES,
         default="RIGHT",
     )
-    right: PointerProperty(type=EyeRenderPrescription, name="Right Eye (OD)")
-    left: PointerProperty(type=EyeRenderPrescription, name="Left Eye (OS)")
+    right: PointerProperty(type=EyeRenderRightPrescription, name="Right Eye (OD)")
+    left: PointerProperty(type=EyeRenderLeftPrescription, name="Left Eye (OS)")
     vertex_mm: FloatProperty(
         name="Vertex Distance",
         description="Distance in millimetres from cornea to lens at which the eye was refracted",
@@ -167,6 +65,32 @@ class EyeRenderObserver(PropertyGroup):
         description="Published formula that gives the pupil's diameter from luminance",
         items=choices.PUPIL_FORMULAS,
         default="WATSON_YELLOTT",
+    )
+    pupil_field: EnumProperty(
+        name="Adapting Field",
+        description="The field whose light the pupil answers to",
+        items=choices.PUPIL_FIELDS,
+        default="CAMERA",
+    )
+    pupil_field_deg: FloatProperty(
+        name="Field Diameter",
+        description="Diameter in degrees of the disc that fills the adapting field",
+        default=60.0,
+        min=choices.FIELD_RANGE_DEG[0],
+        max=choices.FIELD_RANGE_DEG[1],
+        step=100,
+        precision=1,
+    )
+    pupil_eyes: IntProperty(
+        name="Eyes",
+        description="How many eyes see the light: with one covered, both pupils are wider",
+        default=2,
+        min=1,
+        max=2,
+    )
+    pupil_hold: BoolProperty(
+        name="Hold in Animations",
+        description="Keep the pupil that the first frame of a render finds for all its frames",
     )
     focus_mode: EnumProperty(
         name="Focus",
@@ -252,7 +176,7 @@ class EyeRenderPasses(PropertyGroup):
     )
 
 
-_classes = (EyeRenderPrescription, EyeRenderObserver, EyeRenderScene, EyeRenderPasses)
+_classes = (*_prescription_classes, EyeRenderObserver, EyeRenderScene, EyeRenderPasses)
 
 
 def register():

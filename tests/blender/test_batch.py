@@ -1,5 +1,9 @@
+import math
+import re
+from pathlib import Path
+
 import pytest
-from eye_render import batch
+from eye_render import batch, options
 
 
 def test_values_are_read_with_either_way_of_writing_them():
@@ -34,8 +38,18 @@ def test_words_stand_for_numbers_where_they_may():
     assert (read.pupil, read.focus) == ("auto", "center")
 
 
+def test_a_decimal_comma_is_a_point():
+    read = batch.parse(["--eye-pupil", "3,5", "--eye-focus=0,4"])
+    assert (read.pupil, read.focus) == (3.5, 0.4)
+
+
+@pytest.mark.parametrize("word", ["inf", "Infinity"])
+def test_far_away_has_a_word(word):
+    assert batch.parse(["--eye-focus", word]).focus == math.inf
+
+
 def test_options_of_others_are_passed_over():
-    assert batch.parse(["--cycles-device", "CPU", "--eyes", "2"]) == batch.Overrides()
+    assert batch.parse(["--cycles-device", "CPU", "--keep-eye", "2"]) == batch.Overrides()
 
 
 @pytest.mark.parametrize(
@@ -45,6 +59,20 @@ def test_options_of_others_are_passed_over():
         ("--eye-side", "both", "expected right, left"),
         ("--eye-pupil", "wide", "expected 0 to 9 mm or auto"),
         ("--eye-pupil", "nan", "expected 0 to 9 mm or auto"),
+        ("--eye-pupil", "3,5,1", "expected 0 to 9 mm or auto"),
+        (
+            "--eye-rx",
+            "OS -2.00",
+            "OS means the left eye, but this is the prescription of the right",
+        ),
+        (
+            "--eye-rx-left",
+            "OD -2.00",
+            "OD means the right eye, but this is the prescription of the",
+        ),
+        ("--eye-focus", "0", "expected 0.01 to 1 000 000 000 000 metres, relaxed, center, inf or"),
+        ("--eye-samples", "99999999", "expected 1 to 16 777 216"),
+        ("--eye-samples", "1,5", "expected 1 to"),
         ("--eye-age", "-3", "expected 0 to 120 years"),
         ("--eye-model", "navarro", "expected pinhole, paper, paraxial"),
         ("--eye-samples", "0", "expected 1 to"),
@@ -67,9 +95,32 @@ def test_an_unknown_eye_option_is_an_error():
         batch.parse(["--eye-colour", "blue"])
 
 
-def test_an_option_without_its_value_is_an_error():
-    with pytest.raises(batch.OptionError, match="--eye-rx has no value"):
-        batch.parse(["--eye-rx"])
+@pytest.mark.parametrize("misspelled", ["--eyerx", "--eye_rx", "--eyerx=-2"])
+def test_a_misspelled_option_is_an_error_that_names_the_one_meant(misspelled):
+    with pytest.raises(batch.OptionError, match=r"is unknown \(did you mean --eye-rx\?\)"):
+        batch.parse([misspelled])
+
+
+@pytest.mark.parametrize("arguments", [["--eye-rx"], ["--eye-rx", "--eye-samples", "4"]])
+def test_an_option_without_its_value_is_an_error(arguments):
+    with pytest.raises(batch.OptionError, match="--eye-rx has no value; expected such as -2.00DS"):
+        batch.parse(arguments)
+
+
+def test_the_readme_has_the_table_of_help():
+    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(--eye-[a-z-]+)` \| (.*) \| (.*) \|$", readme, re.MULTILINE)
+    assert [tuple(cell.strip() for cell in row) for row in rows] == options.help_rows()
+
+
+def test_help_is_printed_and_ends_blender_with_status_0(run_blender, picture):
+    ended = run_blender("--", "--eye-rx", "nonsense", "--eye-help")
+    assert ended.returncode == 0, ended.stderr
+    for row in options.help_rows():
+        assert re.search(
+            r"^ +" + r" +".join(map(re.escape, filter(None, row))), ended.stdout, re.M
+        )
+    assert not picture.exists()
 
 
 def test_a_bad_option_ends_blender_with_status_2_and_no_picture(run_blender, picture):

@@ -60,3 +60,40 @@ def test_animated_numbers_lead(scene, prescription):
     scene.frame_set(1)
     assert prescription.as_core().sphere_d == -1.0
     assert prescription.problem() == ""
+
+
+def test_the_other_eyes_prescription_is_refused_in_each_box(scene, render):
+    observer = scene.camera.data.eye_render
+    observer.right.text = "OS -2.00"
+    assert observer.right.problem() == (
+        "OS means the left eye, but this is the prescription of the right eye"
+    )
+    assert observer.right.sphere == 0.0
+    with pytest.raises(RuntimeError, match="Prescription of the right eye: OS means the left eye"):
+        render()
+    observer.left.text = "OD -2.00"
+    assert "OD means the right eye" in observer.left.problem()
+
+
+@pytest.mark.parametrize("text", ["OD -2.00", "OU -2.00", "-2.00"])
+def test_the_eye_may_be_named_where_it_is_the_right_one(scene, text):
+    right = scene.camera.data.eye_render.right
+    right.text = text
+    assert (right.problem(), right.sphere) == ("", -2.0)
+
+
+def test_animated_numbers_that_leave_the_text_behind_are_said_to_rule(scene, prescription):
+    prescription.text = "OD -2.00 -0.75 x 160"
+    for frame, sphere in ((1, -2.0), (2, -4.0)):
+        prescription.sphere = sphere
+        prescription.keyframe_insert("sphere", frame=frame)
+    scene.frame_set(2)
+    assert prescription.disagreement() == ""  # the text was written from the last number set
+    scene.frame_set(1)
+    assert prescription.disagreement() == "The numbers rule, not the text: -2.00DS -0.75DC 160A"
+
+
+def test_axis_0_typed_and_animated_axis_180_do_not_disagree(prescription):
+    prescription.text = "-2.00 -0.75 x 0"
+    prescription.axis = 0.0
+    assert prescription.disagreement() == ""

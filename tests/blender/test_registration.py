@@ -4,7 +4,6 @@ import eye_render
 from eye_render import choices, core
 
 EXPECTED_PANELS = {
-    "DATA_PT_camera_dof",
     "DATA_PT_lens",
     "EEVEE_MATERIAL_PT_context_material",
     "EEVEE_MATERIAL_PT_surface",
@@ -12,7 +11,7 @@ EXPECTED_PANELS = {
     "RENDER_PT_format",
     "RENDER_PT_output",
 }
-DEAD_PANELS = {"RENDER_PT_freestyle", "RENDER_PT_simplify", "DATA_PT_light"}
+DEAD_PANELS = {"DATA_PT_camera_dof", "RENDER_PT_freestyle", "RENDER_PT_simplify", "DATA_PT_light"}
 
 
 def opened_panels() -> set[str]:

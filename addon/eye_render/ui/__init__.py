@@ -23,7 +23,6 @@ _REPLACED = {
 }
 # Panels that Blender shows for its own engines alone, though they suit any engine.
 _WELCOME = {
-    "DATA_PT_camera_dof",
     "EEVEE_MATERIAL_PT_context_material",
     "EEVEE_MATERIAL_PT_surface",
     "EEVEE_WORLD_PT_surface",

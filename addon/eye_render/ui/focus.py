@@ -16,9 +16,12 @@ class _Focus:
         column = split_column(self.layout)
         column.prop(observer, "focus_mode")
         if observer.focus_mode == "DISTANCE":
+            target = camera.dof.focus_object
             column.prop(camera.dof, "focus_object")
+            if target is not None and target.type == "ARMATURE":
+                column.prop_search(camera.dof, "focus_subtarget", target.data, "bones")
             row = column.row()
-            row.active = camera.dof.focus_object is None
+            row.active = target is None
             row.prop(camera.dof, "focus_distance")
         if core.module is not None:
             amplitude_d = core.module.accommodation_amplitude_d(observer.age)

@@ -1,13 +1,9 @@
 """The panel that says why nothing can be rendered."""
 
-import textwrap
-
 from bpy.types import Panel
 
 from .. import core
-from .tabs import CameraTab, RenderTab
-
-_LINE_LENGTH = 48
+from .tabs import CameraTab, RenderTab, draw_sentence
 
 
 class _Missing:
@@ -19,10 +15,7 @@ class _Missing:
         return super().poll(context) and core.module is None
 
     def draw(self, context):
-        column = self.layout.column(align=True)
-        column.alert = True
-        for number, line in enumerate(textwrap.wrap(core.problem, _LINE_LENGTH)):
-            column.label(text=line, icon="BLANK1" if number else "ERROR")
+        draw_sentence(self.layout, context, core.problem)
 
 
 class EYE_RENDER_PT_missing(_Missing, RenderTab, Panel):

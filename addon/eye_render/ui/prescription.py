@@ -4,11 +4,15 @@ import bpy
 from bpy.types import Panel
 
 from .. import batch
-from .tabs import CameraTab, SceneCameraTab, split_column
+from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
 def _draw_eye(
-    layout: bpy.types.UILayout, prescription: bpy.types.PropertyGroup, name: str, is_used: bool
+    layout: bpy.types.UILayout,
+    context: bpy.types.Context,
+    prescription: bpy.types.PropertyGroup,
+    name: str,
+    is_used: bool,
 ) -> None:
     column = split_column(layout)
     column.active = is_used
@@ -17,9 +21,10 @@ def _draw_eye(
     row.alert = bool(problem)
     row.prop(prescription, "text", text=name)
     if problem:
-        row = column.row()
-        row.alert = True
-        row.label(text=problem, icon="ERROR")
+        draw_sentence(column, context, problem)
+    disagreement = prescription.disagreement()
+    if disagreement:
+        draw_sentence(column, context, disagreement, "INFO")
     powers = column.column(align=True)
     powers.prop(prescription, "sphere", text="Sphere (D)")
     powers.prop(prescription, "cylinder", text="Cylinder (D)")
@@ -41,8 +46,9 @@ class _Prescription:
         row = column.row()
         row.active = not is_stereo
         row.prop(observer, "eye", expand=True)
-        _draw_eye(layout, observer.right, "Right (OD)", is_stereo or observer.eye == "RIGHT")
-        _draw_eye(layout, observer.left, "Left (OS)", is_stereo or observer.eye == "LEFT")
+        for prescription, name in ((observer.right, "Right (OD)"), (observer.left, "Left (OS)")):
+            is_used = is_stereo or observer.eye == prescription.EYE
+            _draw_eye(layout, context, prescription, name, is_used)
         column = split_column(layout)
         column.prop(observer, "vertex_mm", text="Vertex Distance (mm)")
         column.prop(observer, "age", text="Age (years)")

@@ -1,8 +1,22 @@
 """The Pupil panel: a diameter, or the luminance that decides it."""
 
+import bpy
 from bpy.types import Panel
 
-from .tabs import CameraTab, SceneCameraTab, split_column
+from .. import choices, pupils
+from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
+
+
+def _draw_field(column: bpy.types.UILayout, observer: bpy.types.PropertyGroup) -> None:
+    """The adapting field, as far as the formula asks for it."""
+    field = column.column()
+    field.active = observer.pupil_formula in choices.FORMULAS_OF_FIELD
+    field.row().prop(observer, "pupil_field", expand=True)
+    if observer.pupil_field == "FIXED":
+        field.prop(observer, "pupil_field_deg", text="Field Diameter (°)")
+    eyes = column.row()
+    eyes.active = observer.pupil_formula in choices.FORMULAS_OF_EYES
+    eyes.prop(observer, "pupil_eyes", text="Eyes in the Light")
 
 
 class _Pupil:
@@ -20,7 +34,17 @@ class _Pupil:
             column.prop(observer, "pupil_formula")
             column.prop(scene, "cd_m2_per_unit", text="Luminance of 1.0 (cd/m²)")
             column.prop(scene, "luminance_sigma")
+            _draw_field(column, observer)
+            column.prop(observer, "pupil_hold")
+            if context.scene.render.use_multiview:
+                column.label(text="The first stereo view decides for all", icon="INFO")
         column.prop(scene, "pupil_pattern", text="Pattern")
+        found = pupils.last(self.camera(context))
+        if found is not None:
+            text = f"Last render, {found.where}: {found.report}"
+            draw_sentence(self.layout, context, text, "INFO")
+            if found.clamps:
+                draw_sentence(self.layout, context, found.clamps)
 
 
 class EYE_RENDER_PT_camera_pupil(_Pupil, CameraTab, Panel):

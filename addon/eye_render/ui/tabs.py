@@ -1,6 +1,12 @@
-"""Where the engine's panels stand in the properties editor."""
+"""Where the engine's panels stand in the properties editor, and how they write sentences."""
+
+import textwrap
 
 import bpy
+
+_MARGIN_PX = 80  # of a panel: its borders, the icon, the scroll bar
+_LETTER_WIDTH_PX = 5.6  # on average, in Blender's own font
+_FEWEST_LETTERS = 16
 
 
 class Tab:
@@ -50,3 +56,16 @@ def split_column(layout: bpy.types.UILayout) -> bpy.types.UILayout:
     """A column in Blender's style: name at the left, value at the right."""
     layout.use_property_split = True
     return layout.column()
+
+
+def draw_sentence(
+    layout: bpy.types.UILayout, context: bpy.types.Context, text: str, icon: str = "ERROR"
+) -> None:
+    """A text as wide as the region allows, in red if its icon is ERROR."""
+    column = layout.column(align=True)
+    column.use_property_split = False
+    column.alert = icon == "ERROR"
+    width = context.region.width / context.preferences.system.ui_scale - _MARGIN_PX
+    letters = max(_FEWEST_LETTERS, int(width / _LETTER_WIDTH_PX))
+    for number, line in enumerate(textwrap.wrap(text, letters)):
+        column.label(text=line, icon="BLANK1" if number else icon)

@@ -1,0 +1,121 @@
+"""The options that may follow `--` on Blender's command line: one table for reading them, for
+`--eye-help` and for the README."""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+from . import choices, core
+from .prescription import parse as parse_prescription
+
+HELP = "--eye-help"
+
+
+class Option(NamedTuple):
+    allowed: str  # as people read it
+    meaning: str
+    read: Callable[[str], object]  # ValueError tells what is wrong
+
+
+def _prescription(eye: str, meaning: str) -> Option:
+    def read(text: str) -> str:
+        # Without the core nothing is rendered anyhow, and its absence has been said.
+        if core.module is not None:
+            parse_prescription(text, eye)
+        return text
+
+    return Option("such as -2.00DS -0.75DC 160A", meaning, read)
+
+
+def _one_of(items: list[tuple], meaning: str) -> Option:
+    names = [item[0].lower() for item in items]
+    allowed = ", ".join(names)
+
+    def read(text: str) -> str:
+        if text.lower() not in names:
+            raise ValueError(f"expected {allowed}")
+        return text.upper()
+
+    return Option(allowed, meaning, read)
+
+
+def _spoken(number: float) -> str:
+    """Without exponents: 16 777 216, 0.01."""
+    return f"{int(number):,}".replace(",", " ") if number == int(number) else f"{number:g}"
+
+
+def _number(
+    kind: type,
+    limits: tuple[float, float],
+    meaning: str,
+    unit: str = "",
+    words: dict[str, object] | None = None,
+) -> Option:
+    """A number, with a point or a comma, or one of the words, with the value it stands for."""
+    words = words or {}
+    lowest, highest = limits
+    allowed = f"{_spoken(lowest)} to {_spoken(highest)}{unit}"
+    allowed = ", ".join([allowed, *words][:-1]) + f" or {list(words)[-1]}" if words else allowed
+
+    def read(text: str) -> object:
+        if text.lower() in words:
+            return words[text.lower()]
+        try:
+            number = kind(text.replace(",", ".", 1))
+        except ValueError:
+            number = math.nan
+        if not lowest <= number <= highest:
+            raise ValueError(f"expected {allowed}")
+        return number
+
+    return Option(allowed, meaning, read)
+
+
+def _sample_range(text: str) -> tuple[int, int]:
+    try:
+        first, end = (int(part) for part in text.split(":"))
+    except ValueError:
+        first, end = 0, 0
+    if not 0 <= first < end:
+        raise ValueError("expected A:B, the samples A to B-1, with 0 <= A < B")
+    return first, end
+
+
+OPTIONS: dict[str, Option] = {
+    "--eye-rx": _prescription("RIGHT", "prescription of the right eye"),
+    "--eye-rx-left": _prescription("LEFT", "prescription of the left eye"),
+    "--eye-side": _one_of(choices.EYES, "the eye to look through"),
+    "--eye-pupil": _number(
+        float, choices.PUPIL_RANGE_MM, "diameter of the pupil", " mm", {"auto": "auto"}
+    ),
+    "--eye-focus": _number(
+        float,
+        choices.FOCUS_RANGE_M,
+        "what the eye looks at; inf is far away, relaxed its far point",
+        " metres",
+        {
+            "relaxed": "relaxed",
+            "center": "center",
+            "inf": math.inf,
+            "infinity": math.inf,
+        },
+    ),
+    "--eye-age": _number(
+        float, choices.AGE_RANGE_YEARS, "limits accommodation, narrows the pupil", " years"
+    ),
+    "--eye-model": _one_of(
+        choices.EYE_MODELS, "how the eye turns a point of its pupil into a ray"
+    ),
+    "--eye-quality": _one_of(choices.QUALITIES, "how many samples are taken of each pixel"),
+    "--eye-samples": _number(int, choices.SAMPLES_RANGE, "samples of each pixel"),
+    "--eye-seed": _number(int, choices.SEED_RANGE, "chooses the noise pattern"),
+    "--eye-sample-range": Option(
+        "A:B", "only the samples A to B-1, to be merged with others", _sample_range
+    ),
+}
+
+
+def help_rows() -> list[tuple[str, str, str]]:
+    """(option, what is allowed, what it means)"""
+    rows = [(name, option.allowed, option.meaning) for name, option in OPTIONS.items()]
+    return [*rows, (HELP, "", "prints this table and ends")]

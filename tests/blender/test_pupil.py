@@ -1,0 +1,126 @@
+"""The automatic pupil: what it answers to, what is told of it, and who shares it."""
+
+import re
+
+import bpy
+import pytest
+from eye_render import pupils
+from eye_render.batch import Overrides
+from eye_render.session import make_observer
+from test_render import file_info
+
+PUPIL_LINE = re.compile(r"Eye Render: pupil: ([\d.]+) mm(.*)")
+
+
+@pytest.fixture
+def automatic(scene):
+    """A camera with an automatic pupil in a white world."""
+    scene.camera.data.eye_render.pupil_mode = "AUTO"
+    scene.world = bpy.data.worlds.new("World")
+    scene.world.use_nodes = True
+    background = scene.world.node_tree.nodes["Background"]
+    background.inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    return scene
+
+
+def found(scene) -> pupils.FoundPupil:
+    return pupils.last(scene.camera.data)
+
+
+def test_a_wider_lens_narrows_the_pupil_unless_the_field_is_fixed(automatic, render):
+    def diameter(lens_mm: float) -> float:
+        automatic.camera.data.lens = lens_mm
+        render()
+        return found(automatic).diameter_mm
+
+    assert diameter(18.0) < diameter(85.0) - 0.5
+    automatic.camera.data.eye_render.pupil_field = "FIXED"
+    assert diameter(18.0) == diameter(85.0)
+
+
+def test_a_fixed_field_is_a_disc_of_the_diameter_given(automatic, render):
+    observer = automatic.camera.data.eye_render
+    observer.pupil_field = "FIXED"
+    observer.pupil_field_deg = 10.0
+    render()
+    assert found(automatic).metadata["field_area_deg2"] == "78.5398"
+
+
+def test_a_covered_eye_widens_the_pupil(automatic, render):
+    render()
+    both = found(automatic).diameter_mm
+    automatic.camera.data.eye_render.pupil_eyes = 1
+    render()
+    assert found(automatic).diameter_mm > both + 0.3
+
+
+def test_the_pupil_is_told_on_the_console_and_in_the_file(automatic, render, capfd):
+    automatic.camera.data.eye_render.age = 10.0
+    render()
+    printed = capfd.readouterr().out
+    report = PUPIL_LINE.search(printed).group(0)
+    assert report.endswith(found(automatic).report)
+    assert "WATSON_YELLOTT, 179 cd/m2 over" in report
+    assert "Eye Render: warning: pupil: age 10 years taken as 20 years" in printed
+    assert found(automatic).clamps == "age 10 years taken as 20 years"
+    info = file_info(automatic.render.filepath)
+    assert 'eye_render:pupil_clamps: "age 10 years taken as 20 years"' in info
+    assert 'eye_render:luminance_cd_m2: "179"' in info
+    assert 'eye_render:pupil_found_in: "frame 1"' in info
+
+
+def test_what_a_render_found_is_forgotten_with_the_file_and_never_saved(automatic, render):
+    render()
+    name = automatic.camera.data.name
+    assert found(automatic) is not None
+    bpy.ops.wm.read_homefile(use_factory_startup=True)
+    assert pupils.last(bpy.data.cameras[name]) is None
+
+
+BRIGHTENING = """
+camera.eye_render.pupil_mode = "AUTO"
+strength = scene.world.node_tree.nodes["Background"].inputs["Strength"]
+for frame, value in ((1, 0.01), (3, 100.0)):
+    strength.default_value = value
+    strength.keyframe_insert("default_value", frame=frame)
+scene.frame_start, scene.frame_end = 1, 3
+"""
+
+
+def pupils_of(ended) -> list[tuple[str, str]]:
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    return PUPIL_LINE.findall(ended.stdout)
+
+
+def test_the_pupil_follows_an_animations_light(run_blender):
+    diameters = [float(mm) for mm, _ in pupils_of(run_blender("-a", script=BRIGHTENING))[1:]]
+    assert diameters[0] > diameters[1] > diameters[2]
+
+
+def test_a_held_pupil_stays_as_the_first_frame_of_the_render_found_it(run_blender, tmp_path):
+    script = BRIGHTENING + "camera.eye_render.pupil_hold = True\nscene.frame_start = 2\n"
+    still, *frames = pupils_of(run_blender("-a", script=script))
+    assert float(frames[0][0]) < float(still[0]), "a new render finds its own first pupil"
+    assert [diameter for diameter, _ in frames] == [frames[0][0]] * 2
+    assert frames[1][1].endswith(", as in frame 2")
+    info = file_info(str(tmp_path / "out_0003.exr"))
+    assert 'eye_render:pupil_found_in: "frame 2"' in info
+    assert "eye_render:luminance_cd_m2" in info
+
+
+def test_stereo_views_share_the_pupil_of_the_first(automatic, tmp_path, capfd):
+    automatic.render.use_multiview = True
+    automatic.render.image_settings.file_format = "OPEN_EXR"
+    automatic.render.image_settings.views_format = "INDIVIDUAL"
+    automatic.render.filepath = str(tmp_path / "stereo.exr")
+    bpy.ops.render.render(write_still=True)
+    first, second = PUPIL_LINE.findall(capfd.readouterr().out)
+    assert first[0] == second[0]
+    assert second[1].endswith(", as in frame 1, view left")
+
+
+def test_a_manual_pupil_is_no_ones_else(automatic):
+    settings = automatic.camera.data.eye_render
+    settings.pupil_mode = "MANUAL"
+    observer = make_observer(settings, automatic.eye_render, Overrides(), "RIGHT", 1.0, 7.0)
+    assert "pupil=4," in repr(observer)
