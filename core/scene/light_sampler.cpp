@@ -1,6 +1,7 @@
 #include "scene/light_sampler.h"
 
 #include "scene/environment.h"
+#include "scene/light_importance.h"
 
 #include <Imath/ImathBox.h>
 
@@ -20,67 +21,6 @@ constexpr std::size_t max_triangle_clusters = 16;
 // Shared out evenly among the clusters. The bounds leave out nothing that the given normal lets
 // through, so this is for what they cannot know, such as a normal map.
 constexpr float even_share = 0.04f;
-
-// Keeps the importance finite at a lamp's very centre.
-constexpr float smallest_distance2 = 1e-12f;
-
-// An angle known as its cosine and sine.
-struct Angle {
-    float cosine = 1.0f;
-    float sine = 0.0f;
-};
-
-// cos(a - b), or 1 where b exceeds a: the best that the angle a can be if known to within b.
-float cos_within(float cos_a, const Angle& b)
-{
-    if (cos_a >= b.cosine) {
-        return 1.0f;
-    }
-    const float sin_a = std::sqrt(std::max(0.0f, 1.0f - cos_a * cos_a));
-    return cos_a * b.cosine + sin_a * b.sine;
-}
-
-float distant_importance(const LightEmitter& emitter, const V3f& n_world)
-{
-    if (emitter.axis == V3f(0.0f) || n_world == V3f(0.0f)) {
-        return emitter.intensity;
-    }
-    const float cosine = emitter.cos_edge;
-    const Angle half{cosine, std::sqrt(std::max(0.0f, 1.0f - cosine * cosine))};
-    return emitter.intensity * std::max(0.0f, cos_within(-emitter.axis.dot(n_world), half));
-}
-
-// The irradiance that the emitter can give the point at most, roughly.
-float importance(const LightEmitter& emitter, const V3f& p_world, const V3f& n_world)
-{
-    if (emitter.is_distant) {
-        return distant_importance(emitter, n_world);
-    }
-    const V3f to_emitter = emitter.center_world - p_world;
-    const float distance2 = std::max(to_emitter.length2(), smallest_distance2);
-    const float radius2 = emitter.radius * emitter.radius;
-    if (distance2 <= radius2) {
-        return emitter.intensity / radius2;  // in its midst: as from its rim
-    }
-    const float inverse_distance = 1.0f / std::sqrt(distance2);
-    const float sine = emitter.radius * inverse_distance;
-    const Angle seen_radius{std::sqrt(1.0f - sine * sine), sine};
-    const V3f wi = to_emitter * inverse_distance;
-    float result = emitter.intensity * inverse_distance * inverse_distance;
-    if (n_world != V3f(0.0f)) {
-        result *= std::max(0.0f, cos_within(wi.dot(n_world), seen_radius));
-    }
-    if (emitter.axis != V3f(0.0f)) {
-        const float cosine = cos_within(-wi.dot(emitter.axis), seen_radius);
-        if (cosine < emitter.cos_edge) {
-            return 0.0f;
-        }
-        if (emitter.is_lambertian) {
-            result *= std::max(0.0f, cosine);
-        }
-    }
-    return result;
-}
 
 }  // namespace
 
@@ -149,7 +89,7 @@ void LightSampler::add_clusters(std::span<LightEmitter> emitters, std::size_t ma
 void LightSampler::add_cluster(std::span<const LightEmitter> emitters)
 {
     Cluster cluster{.bounds = emitters[0],
-                    .first = static_cast<std::uint32_t>(entries_.size()),
+                    .first = static_cast<std::uint32_t>(members_.size()),
                     .count = static_cast<std::uint32_t>(emitters.size())};
     if (emitters.size() > 1) {
         Imath::Box3f box;
@@ -164,46 +104,23 @@ void LightSampler::add_cluster(std::span<const LightEmitter> emitters)
                           .intensity = intensity,
                           .is_distant = emitters[0].is_distant};
     }
-    add_entries(emitters);
+    add_members(emitters);
     clusters_.push_back(cluster);
 }
 
-// Vose's alias method: columns of equal width, each shared by at most two members.
-void LightSampler::add_entries(std::span<const LightEmitter> emitters)
+void LightSampler::add_members(std::span<const LightEmitter> emitters)
 {
-    const std::size_t first = entries_.size();
-    double total = 0.0;
+    std::vector<double> intensities;
+    intensities.reserve(emitters.size());
     for (const LightEmitter& e : emitters) {
-        total += static_cast<double>(e.intensity);
+        intensities.push_back(static_cast<double>(e.intensity));
+        places_[place_index(e.kind, e.index)] = {
+            .cluster = static_cast<std::uint32_t>(clusters_.size()),
+            .member = static_cast<std::uint32_t>(members_.size())};
+        members_.push_back({e.kind, e.index});
     }
-    std::vector<double> scaled;
-    std::vector<std::size_t> small;
-    std::vector<std::size_t> large;
-    for (std::size_t i = 0; i < emitters.size(); ++i) {
-        const LightEmitter& e = emitters[i];
-        const double probability = static_cast<double>(e.intensity) / total;
-        scaled.push_back(probability * static_cast<double>(emitters.size()));
-        (scaled[i] < 1.0 ? small : large).push_back(i);
-        const auto entry = static_cast<std::uint32_t>(first + i);
-        places_[place_index(e.kind, e.index)] = {static_cast<std::uint32_t>(clusters_.size()),
-                                                 entry};
-        entries_.push_back({.kind = e.kind,
-                            .light = e.index,
-                            .alias = entry,
-                            .probability = static_cast<float>(probability)});
-    }
-    while (!small.empty() && !large.empty()) {
-        const std::size_t receiver = small.back();
-        const std::size_t donor = large.back();
-        small.pop_back();
-        entries_[first + receiver].keep = static_cast<float>(scaled[receiver]);
-        entries_[first + receiver].alias = static_cast<std::uint32_t>(first + donor);
-        scaled[donor] -= 1.0 - scaled[receiver];
-        if (scaled[donor] < 1.0) {
-            large.pop_back();
-            small.push_back(donor);
-        }
-    }
+    const std::vector<AliasColumn> table = make_alias_table(intensities);
+    columns_.insert(columns_.end(), table.begin(), table.end());
 }
 
 std::size_t LightSampler::place_index(LightKind kind, std::uint32_t index) const
@@ -223,7 +140,7 @@ void LightSampler::weigh(const V3f& p_world, const V3f& n_world, LitPoint& point
     const std::size_t count = clusters_.size();
     float sum = 0.0f;
     for (std::size_t i = 0; i < count; ++i) {
-        result[i] = importance(clusters_[i].bounds, p_world, n_world);
+        result[i] = light_importance(clusters_[i].bounds, p_world, n_world);
         sum += result[i];
     }
     const float even = 1.0f / static_cast<float>(count);
@@ -238,25 +155,29 @@ void LightSampler::weigh(const V3f& p_world, const V3f& n_world, LitPoint& point
     }
 }
 
-std::optional<LightChoice> LightSampler::choose(const LitPoint& point, float u) const
+std::optional<LightChoice> LightSampler::choose(const LitPoint& point, double u) const
 {
     if (clusters_.empty()) {
         return std::nullopt;
     }
-    const auto& probabilities = point.probabilities_;
+    const auto probability_of = [&point](std::size_t i) {
+        return static_cast<double>(point.probabilities_[i]);
+    };
     std::size_t i = 0;
-    while (i + 1 < clusters_.size() && u >= probabilities[i]) {
-        u -= probabilities[i++];
+    double left = 1.0;  // probability of this cluster and those after it
+    while (i + 1 < clusters_.size() && u >= probability_of(i)) {
+        u -= probability_of(i);
+        left -= probability_of(i++);
     }
+    // The last one takes what is left: by the rounding of all probabilities it would lose some of
+    // its members.
+    const double width = i + 1 < clusters_.size() ? probability_of(i) : left;
     const Cluster& cluster = clusters_[i];
-    const auto count = static_cast<float>(cluster.count);
-    const float column = std::clamp(u / probabilities[i], 0.0f, 1.0f) * count;
-    const std::uint32_t offset = std::min(static_cast<std::uint32_t>(column), cluster.count - 1);
-    const Entry* entry = &entries_[cluster.first + offset];
-    if (column - static_cast<float>(offset) >= entry->keep) {
-        entry = &entries_[entry->alias];
-    }
-    return LightChoice{entry->kind, entry->light, probabilities[i] * entry->probability};
+    const std::span<const AliasColumn> table(&columns_[cluster.first], cluster.count);
+    const std::uint32_t chosen = choose_from(table, u / width);
+    const Member& member = members_[cluster.first + chosen];
+    return LightChoice{member.kind, member.light,
+                       point.probabilities_[i] * table[chosen].probability};
 }
 
 float LightSampler::probability(LightKind kind, std::uint32_t index, const LitPoint& point) const
@@ -265,7 +186,7 @@ float LightSampler::probability(LightKind kind, std::uint32_t index, const LitPo
     if (place.cluster == Place::nowhere) {
         return 0.0f;
     }
-    return point.probabilities_[place.cluster] * entries_[place.entry].probability;
+    return point.probabilities_[place.cluster] * columns_[place.member].probability;
 }
 
 }  // namespace eye_render

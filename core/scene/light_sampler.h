@@ -1,11 +1,10 @@
 // Chooses one light for a shading point among lamps, emissive triangles and the environment.
 //
 // The lights are grouped in a few clusters: a lamp each while they are few, boxes of nearby
-// lamps or triangles else, and the environment. A cluster's importance estimates the irradiance
-// it gives the point (intensity over squared distance, with both orientations bounded as by Conty
-// Estevez and Kulla 2018, "Importance Sampling of Many Lights with Adaptive Tree Splitting");
-// within a cluster the choice goes by power, through an alias table (Vose 1991). A little of the
-// probability is shared out evenly, so that no light that can contribute is ever left out.
+// lamps or triangles else, and the environment. They are chosen by importance
+// (light_importance.h), and within a cluster the choice goes by power, through an alias table. A
+// little of the probability is shared out evenly, so that no light that can contribute is ever
+// left out.
 //
 // The clusters are weighed once a shading point, in a LitPoint, however many questions follow:
 // weighing them again for every light that a BSDF-sampled ray met took 5 % of a render.
@@ -17,6 +16,7 @@
 #pragma once
 
 #include "base/vector.h"
+#include "scene/alias_table.h"
 #include "scene/light_emitter.h"
 
 #include <array>
@@ -60,8 +60,9 @@ public:
     // it is too large to be moved about.
     void weigh(const V3f& p_world, const V3f& n_world, LitPoint& point) const;
 
-    // One light for the point, u in [0,1); nothing if there are no lights.
-    [[nodiscard]] std::optional<LightChoice> choose(const LitPoint& point, float u) const;
+    // One light for the point, u in [0,1); nothing if there are no lights. The 24 bits of a float
+    // tell a few hundred lights apart: u should have more of them where there may be 10^4.
+    [[nodiscard]] std::optional<LightChoice> choose(const LitPoint& point, double u) const;
 
     // The probability with which `choose` gives that light for that point.
     [[nodiscard]] float probability(LightKind kind,
@@ -71,30 +72,27 @@ public:
 private:
     struct Cluster {
         LightEmitter bounds;      // of all members together; its kind and index say nothing
-        std::uint32_t first = 0;  // members: [first, first + count) of entries_
+        std::uint32_t first = 0;  // members: [first, first + count) of members_
         std::uint32_t count = 0;
     };
-    // A member of a cluster and column of its alias table.
-    struct Entry {
+    struct Member {
         LightKind kind = LightKind::Lamp;
         std::uint32_t light = 0;
-        std::uint32_t alias = 0;   // index into entries_
-        float keep = 1.0f;         // probability of staying in this column
-        float probability = 0.0f;  // of this member, within the cluster
     };
     // Where a light went.
     struct Place {
         static constexpr std::uint32_t nowhere = 0xffffffffu;
         std::uint32_t cluster = nowhere;
-        std::uint32_t entry = 0;
+        std::uint32_t member = 0;
     };
     void add_clusters(std::span<LightEmitter> emitters, std::size_t max_count);
     void add_cluster(std::span<const LightEmitter> emitters);
-    void add_entries(std::span<const LightEmitter> emitters);
+    void add_members(std::span<const LightEmitter> emitters);
     [[nodiscard]] std::size_t place_index(LightKind kind, std::uint32_t index) const;
 
     std::vector<Cluster> clusters_;
-    std::vector<Entry> entries_;
+    std::vector<Member> members_;
+    std::vector<AliasColumn> columns_;  // one a member: each cluster's are a table
     std::size_t lamp_count_ = 0;
     std::vector<Place> places_;  // the environment's, then the lamps', then the triangles'
 };

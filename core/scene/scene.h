@@ -73,10 +73,11 @@ public:
         light_sampler_.weigh(p, n, point);
     }
 
-    // One light and one place on it, for a weighed point; u_light and both of u in [0, 1). Nothing
-    // if no light was chosen or the chosen one cannot light the point.
+    // One light and one place on it, for a weighed point; u_light and both of u in [0, 1). With
+    // 10^4 lights and more, u_light should have more than the 24 bits of a float. Nothing if no
+    // light was chosen or the chosen one cannot light the point.
     [[nodiscard]] std::optional<IncomingLight> sample_light(const LitPoint& point,
-                                                            float u_light,
+                                                            double u_light,
                                                             const V2f& u) const;
 
     // Density of `sample_light` at a point for what a ray from there in direction wi met.

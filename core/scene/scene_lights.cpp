@@ -68,7 +68,7 @@ std::array<V3f, 3> Scene::corners_world(const Emitter& emitter) const
 }
 
 std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
-                                                 float u_light,
+                                                 double u_light,
                                                  const V2f& u) const
 {
     const V3f& p = point.p_world;

@@ -158,6 +158,30 @@ TEST(LightSampler, chooses_as_often_as_the_probability_says)
     }
 }
 
+// What is left of a number after the choice of a cluster must still tell its members apart.
+TEST(LightSampler, each_of_400_000_faint_lights_beside_a_bright_one_gets_its_share)
+{
+    const std::vector<Lamp> bright = {lamp_at({.color = Color3f(1e9f)}, {0, 0, 1})};
+    const std::vector<EmissiveTriangle> faint = random_triangles(400000, true);
+    const LightSampler sampler(bright, faint, Environment());
+    const LitPoint lit = weighed(sampler, {0, 0, 0}, {0, 0, 1});
+    // The lamp is the first cluster: the triangles share what is above its probability.
+    const double start = double(sampler.probability(LightKind::Lamp, 0, lit));
+    constexpr int count = 4000000;
+    std::vector<int> chosen(faint.size(), 0);
+    for (int i = 0; i < count; ++i) {
+        const auto choice = sampler.choose(lit, start + (1.0 - start) * (i + 0.5) / count);
+        ASSERT_TRUE(choice && choice->kind == LightKind::Triangle);
+        ++chosen[choice->index];
+    }
+    for (std::uint32_t i = 0; i < faint.size(); ++i) {
+        const double expected =
+            count / (1.0 - start) * double(sampler.probability(LightKind::Triangle, i, lit));
+        // Each end of its share misplaces one number at most; some shares come in several pieces.
+        ASSERT_NEAR(chosen[i], expected, 4.0 + 0.05 * expected) << i;
+    }
+}
+
 TEST(LightSampler, a_choice_carries_its_own_probability)
 {
     for (const Lights& lights : scenes()) {
