@@ -1,43 +1,99 @@
-// Pupil samples are Owen-scrambled Sobol points under a fixed key: the same spot every time.
-
 #include "analysis/spot.h"
 
-#include "base/sobol.h"
-#include "base/warp.h"
+#include "base/units.h"
 
 namespace eye_render {
 
-SpotMoments spot_moments(const EyeModel& eye, const SpotOptions& options)
+namespace {
+
+// From differences of object-space slopes to angles in the picture.
+class Picture {
+public:
+    Picture(const PupilTrace& trace, double object_vergence_d)
+        : change_x_(trace.change_x.slope_at(object_vergence_d)),
+          change_y_(trace.change_y.slope_at(object_vergence_d)),
+          determinant_(change_x_.cross(change_y_))
+    {
+        const double cosine = 1.0 / std::sqrt(1.0 + trace.chief_slope.dot(trace.chief_slope));
+        const V2d chief = trace.chief_slope * cosine;
+        const double bend = 1.0 / (1.0 + cosine);
+        axis_x_ = V2d(1.0 - chief.x * chief.x * bend, -chief.x * chief.y * bend) * cosine;
+        axis_y_ = V2d(-chief.x * chief.y * bend, 1.0 - chief.y * chief.y * bend) * cosine;
+    }
+
+    [[nodiscard]] V2d angle_rad(const V2d& slope_difference) const
+    {
+        const V2d chief_change =
+            V2d(slope_difference.cross(change_y_), change_x_.cross(slope_difference)) /
+            determinant_;
+        return {axis_x_.dot(chief_change), axis_y_.dot(chief_change)};
+    }
+
+private:
+    V2d change_x_;
+    V2d change_y_;
+    double determinant_;
+    V2d axis_x_;
+    V2d axis_y_;
+};
+
+}  // namespace
+
+Spot make_spot(const PupilTrace& trace, double object_vergence_d)
 {
-    const std::uint64_t key = sobol_key(0, 0);
-    const double pupil_radius_m = 0.5 * eye.pupil_diameter_m();
-    SpotMoments sum;
-    for (std::uint32_t i = 0; i < options.samples; ++i) {
-        const auto u = sobol_4d(key, i, 0);
-        const V2d pupil_point_m = V2d(sample_uniform_disk({u[0], u[1]})) * pupil_radius_m;
-        const EyeRay ray = eye.ray(options.chief_slope, pupil_point_m, options.wavelength_nm);
-        if (ray.fate != RayFate::Transmitted) {
-            continue;
-        }
-        // Where the ray meets the object's plane, seen from the centre of the pupil.
-        const V2d origin_m(ray.origin_eye_m.x, ray.origin_eye_m.y);
-        const V2d offset = ray.slope - options.chief_slope + origin_m * options.object_vergence_d;
-        sum.transmitted += ray.weight;
-        sum.mean += offset * ray.weight;
-        sum.xx += ray.weight * offset.x * offset.x;
-        sum.xy += ray.weight * offset.x * offset.y;
-        sum.yy += ray.weight * offset.y * offset.y;
+    const Picture picture(trace, object_vergence_d);
+    const V2d object_slope = trace.chief.slope_at(object_vergence_d);
+    Spot spot;
+    spot.points.reserve(trace.rays.size());
+    for (const TracedRay& ray : trace.rays) {
+        const V2d miss = object_slope - ray.slope_at(object_vergence_d);
+        spot.points.push_back({.pupil_point_m = ray.pupil_point_m,
+                               .angle_rad = picture.angle_rad(miss),
+                               .weight = ray.weight});
+        spot.weight += ray.weight;
     }
-    if (sum.transmitted <= 0.0) {
-        return {};
+    spot.transmitted = spot.weight / trace.counts.all();
+    return spot;
+}
+
+SpotMoments spot_moments(const Spot& spot)
+{
+    SpotMoments moments;
+    if (spot.weight <= 0.0) {
+        return moments;
     }
-    const double scale = 1.0 / sum.transmitted;
-    const V2d mean = sum.mean * scale;
-    return {.mean = mean,
-            .xx = sum.xx * scale - mean.x * mean.x,
-            .xy = sum.xy * scale - mean.x * mean.y,
-            .yy = sum.yy * scale - mean.y * mean.y,
-            .transmitted = sum.transmitted / options.samples};
+    for (const SpotPoint& point : spot.points) {
+        moments.mean_rad += point.angle_rad * (point.weight / spot.weight);
+    }
+    // A second pass, because a mean far from 0 would swallow a small spot's moments.
+    for (const SpotPoint& point : spot.points) {
+        const V2d offset = point.angle_rad - moments.mean_rad;
+        const double share = point.weight / spot.weight;
+        moments.xx += share * offset.x * offset.x;
+        moments.xy += share * offset.x * offset.y;
+        moments.yy += share * offset.y * offset.y;
+    }
+    return moments;
+}
+
+BlurEllipse spot_ellipse(const SpotMoments& moments)
+{
+    // Sampling leaves a round spot this much out of round.
+    constexpr double round = 1e-3;
+
+    const double mean = 0.5 * (moments.xx + moments.yy);
+    const double difference = 0.5 * (moments.xx - moments.yy);
+    const double stretch = std::hypot(difference, moments.xy);
+    BlurEllipse ellipse;
+    // The standard deviation along a diameter of an even ellipse is a quarter of it.
+    ellipse.major_arcmin = arcmin_from_rad(4.0 * std::sqrt(mean + stretch));
+    ellipse.minor_arcmin = arcmin_from_rad(4.0 * std::sqrt(std::max(0.0, mean - stretch)));
+    ellipse.rms_radius_arcmin = arcmin_from_rad(moments.rms_radius_rad());
+    if (stretch > round * mean) {
+        const double angle_deg = deg_from_rad(0.5 * std::atan2(moments.xy, difference));
+        ellipse.angle_deg = std::fmod(angle_deg + 180.0, 180.0);
+    }
+    return ellipse;
 }
 
 }  // namespace eye_render
