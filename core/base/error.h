@@ -28,7 +28,7 @@ inline void require_range(std::string_view name,
     if (value >= minimum && value <= maximum) {
         return;
     }
-    const std::string tail = unit.empty() ? std::string() : " " + std::string(unit);
+    const std::string tail = unit.empty() ? std::string() : std::string(" ").append(unit);
     throw std::invalid_argument(std::string(name) + " is " + number_text(value) + tail +
                                 "; expected " + number_text(minimum) + " to " +
                                 number_text(maximum) + tail);
