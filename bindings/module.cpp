@@ -10,4 +10,5 @@ PYBIND11_MODULE(eyecore, m)
     eye_render::bind_eye(m);
     eye_render::bind_scene(m);
     eye_render::bind_render(m);
+    eye_render::bind_analysis(m);
 }

@@ -23,6 +23,7 @@ void bind_prescription(py::module_& m);
 void bind_eye(py::module_& m);
 void bind_scene(py::module_& m);
 void bind_render(py::module_& m);
+void bind_analysis(py::module_& m);  // after bind_eye and bind_render, whose classes it extends
 
 // Arrays of any layout and number type are taken; C order of the wanted type costs no copy.
 template <typename T>
