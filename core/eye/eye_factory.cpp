@@ -25,6 +25,16 @@ PowerMatrix rx_as_written(const EyeSpec& spec)
     return power;
 }
 
+std::unique_ptr<EyeModel> make_eye_of_kind(const EyeSpec& spec, SchematicEyeKind kind)
+{
+    return make_schematic_eye(SchematicSpec{.kind = kind,
+                                            .rx_entrance_pupil_d = rx_at_entrance_pupil(spec),
+                                            .accommodation_d = spec.accommodation_d,
+                                            .pupil_diameter_m = spec.pupil_diameter_m,
+                                            .zero = spec.zero,
+                                            .exact_trace = spec.exact_trace});
+}
+
 const Wavefront& measured_wavefront(const EyeSpec& spec)
 {
     if (!spec.wavefront) {
@@ -41,6 +51,15 @@ std::unique_ptr<EyeModel> make_bare_eye(const EyeSpec& spec)
         require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
         return make_paper_eye(rx_as_written(spec), spec.accommodation_d, spec.pupil_diameter_m,
                               spec.eye_length_m);
+    }
+    if (spec.model == EyeModelKind::Navarro) {
+        return make_eye_of_kind(spec, SchematicEyeKind::Navarro);
+    }
+    if (spec.model == EyeModelKind::Arizona) {
+        return make_eye_of_kind(spec, SchematicEyeKind::Arizona);
+    }
+    if (spec.model == EyeModelKind::LeGrand) {
+        return make_eye_of_kind(spec, SchematicEyeKind::LeGrand);
     }
     const PowerMatrix conjugate_d = PowerMatrix::sphere(spec.accommodation_d) - rx_entrance_pupil;
     if (spec.model == EyeModelKind::Wavefront) {
@@ -68,6 +87,9 @@ std::string_view to_string(EyeModelKind kind)
     case EyeModelKind::Paper: return "paper";
     case EyeModelKind::Paraxial: return "paraxial";
     case EyeModelKind::Wavefront: return "wavefront";
+    case EyeModelKind::Navarro: return "navarro";
+    case EyeModelKind::Arizona: return "arizona";
+    case EyeModelKind::LeGrand: return "le_grand";
     }
     return "";
 }

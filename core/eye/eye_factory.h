@@ -3,6 +3,7 @@
 #pragma once
 
 #include "eye/eye_model.h"
+#include "eye/schematic.h"
 #include "eye/worn_lens.h"
 #include "optics/prescription.h"
 #include "optics/wavefront.h"
@@ -16,12 +17,13 @@
 namespace eye_render {
 
 // Cheapest first.
-enum class EyeModelKind { Pinhole, Paper, Paraxial, Wavefront };
+enum class EyeModelKind { Pinhole, Paper, Paraxial, Wavefront, Navarro, Arizona, LeGrand };
 
-inline constexpr std::array eye_model_kinds{EyeModelKind::Pinhole, EyeModelKind::Paper,
-                                            EyeModelKind::Paraxial, EyeModelKind::Wavefront};
+inline constexpr std::array eye_model_kinds{
+    EyeModelKind::Pinhole, EyeModelKind::Paper,   EyeModelKind::Paraxial, EyeModelKind::Wavefront,
+    EyeModelKind::Navarro, EyeModelKind::Arizona, EyeModelKind::LeGrand};
 
-// "pinhole", "paper", "paraxial", "wavefront".
+// "pinhole", "paper", "paraxial", "wavefront", "navarro", "arizona", "le_grand".
 [[nodiscard]] std::string_view to_string(EyeModelKind kind);
 
 // Where the prescription was written for: the lens before the eye, a contact lens, or the
@@ -34,6 +36,7 @@ inline constexpr std::array rx_planes{RxPlane::Spectacle, RxPlane::Cornea, RxPla
 [[nodiscard]] std::string_view to_string(RxPlane plane);
 
 inline constexpr double max_pupil_diameter_m = 9e-3;
+// Less in the schematic eyes whose surfaces do not allow it.
 inline constexpr double max_accommodation_d = 20.0;
 
 struct EyeSpec {
@@ -46,6 +49,10 @@ struct EyeSpec {
     double pupil_diameter_m = 4e-3;  // of the entrance pupil, 0 for none
     double accommodation_d = 0.0;    // referred to the entrance pupil
     double eye_length_m = 17e-3;     // the paper's d_eye; used with EyeModelKind::Paper
+    // Of the schematic eyes: what a refraction of 0 is, and whether every ray is traced through the
+    // surfaces rather than fitted to such rays.
+    RefractionZero zero = RefractionZero::Paraxial;
+    bool exact_trace = false;
     // In the clinician's frame; needed with EyeModelKind::Wavefront and then at least as wide as
     // the pupil. The prescription stands for its tilt and second order: see wavefront.cpp.
     std::optional<Wavefront> wavefront{};

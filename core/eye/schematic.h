@@ -1,0 +1,59 @@
+// Eyes with real surfaces: Navarro's, the Arizona eye and Le Grand's, made for a person.
+//
+// A pixel with chief slope u is the point of the curved retina where the chief ray from that
+// direction lands: the one through the centre of the stop, at 555 nm. Its other rays run from this
+// point through the stop and the cornea into the scene, refracted exactly at their own wavelength,
+// so that spherical and chromatic aberration, oblique astigmatism, coma and field curvature are
+// what the surfaces make them. The retina's own mapping (distortion) is not in the picture, which
+// is in object space.
+
+#pragma once
+
+#include "eye/eye_model.h"
+#include "optics/schematic_eyes.h"
+
+#include <array>
+#include <memory>
+#include <string_view>
+
+namespace eye_render {
+
+// What a refraction of zero means for an eye with spherical aberration, at 555 nm on the axis.
+enum class RefractionZero {
+    Paraxial,        // rays next to the axis come to a focus on the retina
+    MinimumRmsSpot,  // the RMS of the point's blur through the whole pupil is least
+};
+
+inline constexpr std::array refraction_zeros{RefractionZero::Paraxial,
+                                             RefractionZero::MinimumRmsSpot};
+
+// "paraxial", "minimum_rms_spot".
+[[nodiscard]] std::string_view to_string(RefractionZero zero);
+
+struct SchematicSpec {
+    SchematicEyeKind kind = SchematicEyeKind::Navarro;
+    PowerMatrix rx_entrance_pupil_d{};  // camera frame
+    double accommodation_d = 0.0;     // true accommodation, referred to the entrance pupil
+    double pupil_diameter_m = 4e-3;   // of the entrance pupil
+    RefractionZero zero = RefractionZero::Paraxial;
+    bool exact_trace = false;
+};
+
+class SchematicEye : public EyeModel {
+public:
+    // The largest angle between a fitted ray and the exact one within 20 degrees of the axis, over
+    // the pupil and the visible wavelengths, found by comparison when the eye was made. 0 for an
+    // eye that traces exactly, and for one whose field is too narrow for a fit.
+    [[nodiscard]] virtual double fit_residual_arcmin() const = 0;
+};
+
+// The mean sphere is made by the length of the vitreous body, the cylinder by a biconic anterior
+// cornea (each of its radii solved for its meridian), accommodation by the publication's own
+// parameter with the axial length kept; all to first order but for RefractionZero::MinimumRmsSpot,
+// which counts in the mean sphere. The pupil is a round entrance pupil as seen from far away on
+// the axis, and the stop is what makes it so by real rays at 555 nm.
+//
+// Throws std::invalid_argument when no such eye exists.
+[[nodiscard]] std::unique_ptr<SchematicEye> make_schematic_eye(const SchematicSpec& spec);
+
+}  // namespace eye_render
