@@ -49,7 +49,8 @@ std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
                                                double accommodation_d,
                                                const std::string& correction,
                                                const py::object& worn,
-                                               bool near_part)
+                                               bool near_part,
+                                               const std::optional<Wavefront>& wavefront)
 {
     EyeDescription description{.model = named_of("model", model, eye_model_kinds),
                                .rx = prescription_from_python(rx),
@@ -58,7 +59,8 @@ std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
                                .pupil_mm = pupil_mm,
                                .accommodation_d = accommodation_d,
                                .correction = named_of("correction", correction, corrections),
-                               .near_part = near_part};
+                               .near_part = near_part,
+                               .wavefront = wavefront};
     if (!worn.is_none()) {
         description.worn = prescription_from_python(worn);
     }
@@ -103,7 +105,7 @@ void bind_eye(py::module_& m)
         .def(py::init(&make_eye_from_python), "model"_a = "paraxial", "rx"_a = "plano",
              "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0,
              "accommodation_d"_a = 0.0, py::kw_only(), "correction"_a = "none",
-             "worn"_a = py::none(), "near_part"_a = false)
+             "worn"_a = py::none(), "near_part"_a = false, "wavefront"_a = py::none())
         .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
              "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
              "2).")

@@ -29,7 +29,8 @@ Observer make_observer(const std::string& model,
                        const py::object& focus,
                        const std::string& correction,
                        const py::object& worn,
-                       bool near_part)
+                       bool near_part,
+                       const std::optional<Wavefront>& wavefront)
 {
     Observer observer;
     observer.eye.correction = named_of("correction", correction, corrections);
@@ -37,6 +38,7 @@ Observer make_observer(const std::string& model,
         observer.eye.worn = prescription_from_python(worn);
     }
     observer.eye.near_part = near_part;
+    observer.eye.wavefront = wavefront;
     observer.eye.model = named_of("model", model, eye_model_kinds);
     observer.eye.rx = prescription_from_python(rx);
     observer.eye.rx_plane = named_of("rx_plane", rx_plane, rx_planes);
@@ -117,6 +119,9 @@ std::string observer_text(const Observer& observer)
     }
     if (observer.eye.worn) {
         text += ", worn='" + format_prescription(*observer.eye.worn) + "'";
+    }
+    if (observer.eye.wavefront) {
+        text += ", wavefront=" + py::repr(py::cast(*observer.eye.wavefront)).cast<std::string>();
     }
     return text + ")";
 }
@@ -203,12 +208,12 @@ void bind_render(py::module_& m)
              "pupil"_a = "auto", "pupil_formula"_a = "WATSON_YELLOTT", "cd_m2_per_unit"_a = 179.0,
              "luminance_sigma"_a = 0.5, "field_area_deg2"_a = py::none(), "eyes"_a = 2,
              "focus"_a = "relaxed", "correction"_a = "none", "worn"_a = py::none(),
-             "near_part"_a = false,
+             "near_part"_a = false, "wavefront"_a = py::none(),
              "pupil: 'auto' or mm. field_area_deg2: what an automatic pupil adapts to, None for\n"
              "the picture's; eyes: how many see it. focus: 'relaxed', 'center' or metres.\n"
              "correction: 'none', 'glasses' or 'contacts', made to `worn`, by default the eye's "
              "own\n"
-             "prescription.")
+             "prescription. wavefront: what the model of that name needs.")
         .def("__repr__", &observer_text);
 
     py::class_<RenderSettings>(m, "Settings", "How it is rendered.")

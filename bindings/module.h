@@ -20,6 +20,7 @@ namespace eye_render {
 namespace py = pybind11;
 
 void bind_prescription(py::module_& m);
+void bind_wavefront(py::module_& m);
 void bind_eye(py::module_& m);
 void bind_scene(py::module_& m);
 void bind_render(py::module_& m);

@@ -67,6 +67,7 @@ std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
                             .vertex_m = m_from_mm(description.vertex_mm),
                             .pupil_diameter_m = m_from_mm(description.pupil_mm),
                             .accommodation_d = description.accommodation_d,
+                            .wavefront = description.wavefront,
                             .worn = worn_lens(description)});
 }
 

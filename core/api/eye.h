@@ -37,6 +37,9 @@ struct EyeDescription {
     // Nothing: the eye's own prescription, referred to the lens's plane.
     std::optional<Prescription> worn{};
     bool near_part = false;  // glasses: looks through the part with the reading addition
+    // What EyeModelKind::Wavefront needs, clinician's frame; its tilt and second order are left to
+    // `rx`.
+    std::optional<Wavefront> wavefront{};
 };
 
 // Throws std::invalid_argument with name, value, unit and range.

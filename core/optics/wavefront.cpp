@@ -4,7 +4,6 @@
 
 #include "base/error.h"
 #include "base/units.h"
-#include "optics/chromatic.h"
 
 #include <cmath>
 
@@ -121,7 +120,8 @@ PowerVector paraxial_refraction(const Wavefront& wavefront)
     const double radius_mm = mm_from_m(0.5 * wavefront.pupil_diameter_m);
     const PupilPolynomial::SecondDegree w = polynomial_um(wavefront).second_degree();
     const double d_per_um = -2.0 / (radius_mm * radius_mm);
-    return {w.round * d_per_um, w.straight * d_per_um, w.oblique * d_per_um};
+    return {w.round * d_per_um - chromatic_difference_d(wavefront.wavelength_nm),
+            w.straight * d_per_um, w.oblique * d_per_um};
 }
 
 }  // namespace eye_render

@@ -9,6 +9,7 @@
 
 #pragma once
 
+#include "optics/chromatic.h"
 #include "optics/prescription.h"
 #include "optics/zernike.h"
 
@@ -52,11 +53,11 @@ void require_covers(const Wavefront& wavefront, double pupil_diameter_m);
 // The wavefront, in the second order alone, that a lens of this power (TABO) corrects.
 [[nodiscard]] Wavefront wavefront_corrected_by(const PowerVector& rx, double pupil_diameter_m);
 
-// The lens (TABO, at the plane of the pupil) that flattens the wavefront at the pupil's centre, at
-// the wavelength of the measurement: Thibos, Hong, Bradley & Applegate 2004 ("Accuracy and
-// precision of objective refraction from wavefront aberrations", J. Vision 4(4)) found it nearest,
-// on the mean of 200 eyes, to what an optometrist prescribes. Higher orders take part, as far as
-// they are curved there.
+// The lens (TABO, at the plane of the pupil) that flattens the wavefront at the pupil's centre,
+// converted from the wavelength of the measurement to 555 nm: Thibos, Hong, Bradley & Applegate
+// 2004 ("Accuracy and precision of objective refraction from wavefront aberrations", J. Vision
+// 4(4)) found it nearest, on the mean of 200 eyes, to what an optometrist prescribes. Higher
+// orders take part, as far as they are curved there.
 [[nodiscard]] PowerVector paraxial_refraction(const Wavefront& wavefront);
 
 }  // namespace eye_render

@@ -201,6 +201,48 @@ TEST(WavefrontEye, is_as_chromatic_as_the_paraxial_eye)
     expect_near(with_aberrations, p * -0.8271033567246555, 1e-12);  // vector F02
 }
 
+// Means over the evenly filled pupil, by the midpoint rule in the square of the radius.
+struct SlopeMoments {
+    V2d mean{0.0};
+    V2d mean_square{0.0};
+};
+
+SlopeMoments slope_moments(const EyeSpec& spec)
+{
+    const auto eye = make_eye(spec);
+    constexpr int rings = 400;
+    constexpr int spokes = 16;
+    SlopeMoments moments;
+    for (int ring = 0; ring < rings; ++ring) {
+        const double radius_m = 0.5 * spec.pupil_diameter_m * std::sqrt((ring + 0.5) / rings);
+        for (int spoke = 0; spoke < spokes; ++spoke) {
+            const double angle_rad = 2.0 * pi * (spoke + 0.5) / spokes;
+            const V2d p = V2d(std::cos(angle_rad), std::sin(angle_rad)) * radius_m;
+            const V2d slope = eye->ray(V2d(0.0), p, reference_wavelength_nm).slope;
+            moments.mean += slope / (rings * spokes);
+            moments.mean_square += slope * slope / (rings * spokes);
+        }
+    }
+    return moments;
+}
+
+TEST(WavefrontEye, spot_has_the_moments_of_its_aberrations)
+{
+    // Of W = a r^4 the slope is 4 a r^3 outwards, its mean square 4 a^2, half of it along x; of
+    // W = b r^2 y it is b (2 x y, x^2 + 3 y^2), with mean (0, b) and mean squares b^2 / 6 and
+    // 3 b^2 / 2. All over the unit disk, then over 3 mm. Tolerance: of the quadrature.
+    const double radius_um = 3e3;
+    const double a = 6.0 * std::sqrt(5.0) * 0.0942 / radius_um;
+    const SlopeMoments spherical =
+        slope_moments(wavefront_spec(single_term({4, 0}, 0.0942, 6e-3)));
+    expect_near(spherical.mean, V2d(0.0), 1e-15);
+    expect_near(spherical.mean_square / (a * a), {2.0, 2.0}, 1e-4);
+    const double b = 3.0 * std::sqrt(8.0) * 0.15 / radius_um;
+    const SlopeMoments coma = slope_moments(wavefront_spec(single_term({3, -1}, 0.15, 6e-3)));
+    expect_near(coma.mean / b, {0.0, -1.0}, 1e-4);
+    expect_near(coma.mean_square / (b * b), {1.0 / 6.0, 1.5}, 1e-4);
+}
+
 TEST(WavefrontEye, needs_a_wavefront_as_wide_as_its_pupil)
 {
     EyeSpec spec = wavefront_spec(population_wavefront(6e-3));

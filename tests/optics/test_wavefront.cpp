@@ -206,6 +206,15 @@ TEST(Wavefront, is_refracted_at_its_centre_as_published)
                 1e-12);
 }
 
+TEST(Wavefront, measured_in_the_red_is_refracted_for_555_nm)
+{
+    // Flat at 633 nm, the eye is too strong for 555 nm by the chromatic difference.
+    const PowerVector rx = paraxial_refraction({.wavelength_nm = 633.0});
+    EXPECT_DOUBLE_EQ(rx.m_d, -chromatic_difference_d(633.0));
+    EXPECT_LT(rx.m_d, -0.3);
+    EXPECT_EQ(rx.j0_d, 0.0);
+}
+
 TEST(Wavefront, is_refused_out_of_range)
 {
     EXPECT_EQ(refusal({}), "accepted");
