@@ -48,18 +48,11 @@ LightEmitter emitter_of(const EmissiveTriangle& t, std::uint32_t index)
     Imath::Box3f box(t.p0_world);
     box.extendBy(t.p1_world);
     box.extendBy(t.p2_world);
-    const V3f normal = (t.p1_world - t.p0_world).cross(t.p2_world - t.p0_world);
-    LightEmitter e{.kind = LightKind::Triangle,
-                   .index = index,
-                   .center_world = box.center(),
-                   .radius = 0.5f * box.size().length(),
-                   .intensity = 0.5f * normal.length() * t.radiance};
-    if (!t.two_sided) {
-        e.is_lambertian = true;
-        e.axis = normal.normalized();
-        e.cos_edge = 0.0f;
-    }
-    return e;
+    return {.kind = LightKind::Triangle,
+            .index = index,
+            .center_world = box.center(),
+            .radius = 0.5f * box.size().length(),
+            .intensity = triangle_area(t.p0_world, t.p1_world, t.p2_world) * t.radiance};
 }
 
 LightEmitter emitter_of(const Environment& environment)

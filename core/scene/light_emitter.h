@@ -16,8 +16,7 @@ enum class LightKind : std::uint8_t { Lamp, Triangle, Environment };
 
 struct EmissiveTriangle {
     V3f p0_world, p1_world, p2_world;
-    float radiance = 0.0f;  // luminance, estimated, of one side
-    bool two_sided = true;
+    float radiance = 0.0f;  // luminance, estimated, of either side
 };
 
 [[nodiscard]] inline float triangle_area(const V3f& p0, const V3f& p1, const V3f& p2)

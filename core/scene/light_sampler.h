@@ -61,7 +61,7 @@ public:
     void weigh(const V3f& p_world, const V3f& n_world, LitPoint& point) const;
 
     // One light for the point, u in [0,1); nothing if there are no lights. The 24 bits of a float
-    // tell a few hundred lights apart: u should have more of them where there may be 10^4.
+    // are too few to tell 10^4 lights apart: u should have more.
     [[nodiscard]] std::optional<LightChoice> choose(const LitPoint& point, double u) const;
 
     // The probability with which `choose` gives that light for that point.

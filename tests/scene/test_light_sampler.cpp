@@ -55,7 +55,7 @@ struct Lights {
     }
 };
 
-std::vector<EmissiveTriangle> random_triangles(int count, bool two_sided)
+std::vector<EmissiveTriangle> random_triangles(int count)
 {
     std::mt19937 rng(3);
     std::uniform_real_distribution<float> uniform(-10.0f, 10.0f);
@@ -64,7 +64,7 @@ std::vector<EmissiveTriangle> random_triangles(int count, bool two_sided)
         const V3f p(uniform(rng), uniform(rng), uniform(rng));
         const V3f a = V3f(uniform(rng), uniform(rng), uniform(rng)) * 0.05f;
         const V3f b = V3f(uniform(rng), uniform(rng), uniform(rng)) * 0.05f;
-        triangles.push_back({p, p + a, p + b, float(i % 7), two_sided});  // every seventh is black
+        triangles.push_back({p, p + a, p + b, float(i % 7)});  // every seventh is black
     }
     return triangles;
 }
@@ -76,9 +76,9 @@ std::vector<Lights> scenes()
                .lamps = {lamp_at(point, {0, 0, 3}), lamp_at(area, {1, 2, 4}),
                          lamp_at(spot, {-2, 0, 5}), lamp_at(sun, {0, 0, 0}),
                          lamp_at({.color = Color3f(0.0f)}, {1, 1, 1})},
-               .triangles = random_triangles(20, true),
+               .triangles = random_triangles(20),
                .environment = sky};
-    Lights many{.name = "more lamps than clusters", .triangles = random_triangles(3000, false)};
+    Lights many{.name = "more lamps than clusters", .triangles = random_triangles(3000)};
     for (int i = 0; i < 500; ++i) {
         const V3f position(float(i % 10), float(i / 10 % 10), float(i / 100) + 1.0f);
         many.lamps.push_back(lamp_at(i % 3 == 0 ? area : i % 3 == 1 ? point : spot, position));
@@ -162,7 +162,7 @@ TEST(LightSampler, chooses_as_often_as_the_probability_says)
 TEST(LightSampler, each_of_400_000_faint_lights_beside_a_bright_one_gets_its_share)
 {
     const std::vector<Lamp> bright = {lamp_at({.color = Color3f(1e9f)}, {0, 0, 1})};
-    const std::vector<EmissiveTriangle> faint = random_triangles(400000, true);
+    const std::vector<EmissiveTriangle> faint = random_triangles(400000);
     const LightSampler sampler(bright, faint, Environment());
     const LitPoint lit = weighed(sampler, {0, 0, 0}, {0, 0, 1});
     // The lamp is the first cluster: the triangles share what is above its probability.
@@ -252,7 +252,7 @@ TEST(LightSampler, prefers_the_lamp_that_gives_more)
 
 TEST(LightSampler, a_bright_triangle_among_many_is_found)
 {
-    std::vector<EmissiveTriangle> triangles = random_triangles(1000, true);
+    std::vector<EmissiveTriangle> triangles = random_triangles(1000);
     triangles[500].radiance = 1e6f;
     const LightSampler sampler({}, triangles, Environment());
     EXPECT_GT(
