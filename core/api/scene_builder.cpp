@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace eye_render {
@@ -58,51 +57,6 @@ std::vector<std::string> pick(const std::vector<std::string>& names,
         picked.push_back(names[static_cast<std::size_t>(layer)]);
     }
     return picked;
-}
-
-bool is_finite(const V3f& p) { return std::isfinite(p.x + p.y + p.z); }
-
-// Leaves out triangles with a corner that is not finite; returns how many. One bad vertex must not
-// cost a user the picture, and must not reach the boxes that plan and lights are made from.
-std::size_t drop_broken_triangles(Mesh& mesh)
-{
-    const auto is_broken = [&mesh](const TriangleIndices& triangle) {
-        return std::ranges::any_of(
-            triangle, [&mesh](std::uint32_t index) { return !is_finite(mesh.positions[index]); });
-    };
-    if (std::ranges::all_of(mesh.positions, is_finite)) {
-        return 0;
-    }
-    std::vector<bool> keep;
-    keep.reserve(mesh.triangles.size());
-    for (const TriangleIndices& triangle : mesh.triangles) {
-        keep.push_back(!is_broken(triangle));
-    }
-    const auto filter = [&keep](auto& values, std::size_t per_triangle) {
-        std::size_t kept = 0;
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (keep[i / per_triangle]) {
-                values[kept++] = values[i];
-            }
-        }
-        values.resize(kept);
-    };
-    const std::size_t before = mesh.triangles.size();
-    filter(mesh.triangles, 1);
-    filter(mesh.material_slots, 1);
-    if (mesh.normal_domain == NormalDomain::PerCorner) {
-        filter(mesh.normals, 3);
-    }
-    for (UvLayer& layer : mesh.uv_layers) {
-        filter(layer.per_corner, 3);
-    }
-    for (ColorAttribute& attribute : mesh.color_attributes) {
-        filter(attribute.per_corner, 3);
-    }
-    for (V3f& p : mesh.positions) {
-        p = is_finite(p) ? p : V3f(0.0f);  // no triangle refers to it any more
-    }
-    return before - mesh.triangles.size();
 }
 
 }  // namespace

@@ -44,4 +44,9 @@ struct Mesh {
 // are refused here so that no query has to look.
 void validate(const Mesh& mesh);
 
+// Leaves out the triangles of a valid mesh with a corner that is not finite; returns how many. One
+// bad vertex must not cost a user the picture, and must not reach the boxes that plan and lights
+// are made from.
+std::size_t drop_broken_triangles(Mesh& mesh);
+
 }  // namespace eye_render
