@@ -111,8 +111,11 @@ void Environment::build_table()
                            static_cast<std::size_t>(x);
         return luminance(physical(picture.rgb[index]));
     };
-    // A cell gets the mean of the picture as it is looked up. Bilinear interpolation spreads each
-    // pixel: its integral over a cell has the weights 1/8, 6/8, 1/8 along either axis.
+    // A cell gets the pixels that lookups in it meet. Bilinear interpolation reaches half a pixel
+    // beyond a cell that is one pixel: its mean over the cell has the weights 1/8, 6/8, 1/8 along
+    // either axis. For a picture that was shrunk they are too wide, by a part of a cell, and in
+    // sRGB, which is decoded after interpolation, the mean is only about that: either costs a
+    // little noise, but leaves no cell dark where a lookup finds light.
     const auto spread_luminance = [&](int x, int y) {
         const auto weight = [](int offset) { return offset == 0 ? 0.75f : 0.125f; };
         float sum = 0.0f;

@@ -6,7 +6,6 @@
 #include <Imath/ImathBox.h>
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace eye_render {

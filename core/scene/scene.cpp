@@ -2,8 +2,7 @@
 
 #include "scene/transform.h"
 
-#include <cmath>
-#include <stdexcept>
+#include <algorithm>
 
 namespace eye_render {
 
