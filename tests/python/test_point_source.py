@@ -6,11 +6,9 @@ import math
 import eyecore
 import numpy as np
 import pytest
+from point_source import DISTANCE_M, disk_picture
 
-DISTANCE_M = 2.0
 PUPIL_MM = 5.0
-SIZE_PX = 112
-SAMPLES = 512
 PAPER_EYE_M = 0.017
 
 # The variance of the Blackman-Harris window that spreads every sample, 1.5 px to each side, in
@@ -18,43 +16,16 @@ PAPER_EYE_M = 0.017
 FILTER_VARIANCE_PX2 = 0.173
 
 
-def disk_scene(disk_slope: float, half_slope: float) -> eyecore.Scene:
-    scene = eyecore.Scene()
-    light = scene.add_material("light", "EMISSION", emission_color=1.0, emission_strength=1.0)
-    angles = np.linspace(0.0, 2.0 * np.pi, 256, endpoint=False)
-    rim = (
-        DISTANCE_M * disk_slope * np.stack([np.cos(angles), np.sin(angles), 0.0 * angles], axis=1)
-    )
-    positions = np.concatenate([[[0.0, 0.0, 0.0]], rim]).astype(np.float32)
-    corners = np.arange(256, dtype=np.uint32)
-    triangles = np.stack([0 * corners, 1 + corners, 1 + (corners + 1) % 256], axis=1)
-    at_distance = np.eye(4)
-    at_distance[2, 3] = -DISTANCE_M
-    mesh = scene.add_mesh("disk", positions, triangles)
-    scene.add_instances(mesh, at_distance[None], [light])
-    bounds = (-half_slope, half_slope, -half_slope, half_slope)
-    scene.set_camera(np.eye(4), bounds, (SIZE_PX, SIZE_PX))
-    return scene
-
-
 def rendered_moments(
     model: str, rx: str, extent: float, disk_share: float = 0.15
 ) -> tuple[np.ndarray, float]:
     """Covariance of the picture in slopes, the disk's own and the filter's taken off; and the
-    disk's radius. `extent` is the radius of the blur, of which the disk's is a share."""
+    disk's radius."""
+    observer = eyecore.Observer(model=model, rx=rx, rx_plane="entrance_pupil", pupil=PUPIL_MM)
+    picture, slopes = disk_picture(observer, extent, disk_share)
     disk_slope = disk_share * extent
-    half_slope = 1.25 * (extent + disk_slope)
-    picture = eyecore.render(
-        disk_scene(disk_slope, half_slope),
-        eyecore.Observer(model=model, rx=rx, rx_plane="entrance_pupil", pupil=PUPIL_MM),
-        eyecore.Settings(samples=SAMPLES, seed=5),
-    )["Combined"][:, :, 0].astype(np.float64)
-    pixel = 2.0 * half_slope / SIZE_PX
-    slopes = (np.arange(SIZE_PX) + 0.5) * pixel - half_slope
-    y, x = np.meshgrid(slopes, slopes, indexing="ij")
-    assert picture[0].max() == picture[-1].max() == 0.0, "the blur must fit the picture"
-    points = np.stack([x.ravel(), y.ravel()])
-    covariance = np.cov(points, aweights=picture.ravel(), ddof=0)
+    pixel = slopes[0, 1] - slopes[0, 0]
+    covariance = np.cov(slopes, aweights=picture.ravel(), ddof=0)
     own = disk_slope**2 / 4.0 + FILTER_VARIANCE_PX2 * pixel**2
     return covariance - own * np.eye(2), disk_slope
 
