@@ -64,6 +64,18 @@ TEST(ParaxialEye, a_cylinder_of_axis_30_is_mirrored_into_the_patients_view)
     EXPECT_NEAR(eye->ray(V2d(0.0), across * 1e-3, 555.0).slope.length(), 6e-3, 1e-15);
 }
 
+TEST(ParaxialEye, is_too_strong_in_the_blue_and_as_prescribed_at_555_nm)
+{
+    // Thibos et al. 1992, vector F02: at 450 nm the correcting lens is 0.8271 D weaker, and K
+    // stronger.
+    const auto eye = paraxial_eye({.sphere_d = -1.0, .cylinder_d = -0.5, .axis_deg = 30.0}, 0.0);
+    const V2d p(1e-3, -2e-3);
+    EXPECT_EQ(eye->ray(V2d(0.0), p, 555.0).slope, V2d(0.0) - eye->retinal_conjugate_d() * p);
+    const V2d change = eye->ray(V2d(0.0), p, 450.0).slope - eye->ray(V2d(0.0), p, 555.0).slope;
+    EXPECT_NEAR(change.x, -0.8271033567246555 * p.x, 1e-15);
+    EXPECT_NEAR(change.y, -0.8271033567246555 * p.y, 1e-15);
+}
+
 TEST(ParaxialEye, is_finite_at_the_extremes)
 {
     for (const double sphere_d : {-30.0, 30.0}) {
@@ -77,6 +89,8 @@ TEST(ParaxialEye, is_finite_at_the_extremes)
             const EyeRay ray = eye->ray({50.0, -50.0}, {4.5e-3, 0.0}, 555.0);
             EXPECT_TRUE(std::isfinite(ray.slope.x) && std::isfinite(ray.slope.y));
             EXPECT_EQ(ray.fate, RayFate::Transmitted);
+            const EyeRay invisible = eye->ray({50.0, -50.0}, {4.5e-3, 0.0}, 214.102);
+            EXPECT_TRUE(std::isfinite(invisible.slope.x));
         }
     }
 }
