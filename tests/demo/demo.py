@@ -2,60 +2,20 @@
 What is newer than everything it was made from is not made again. `run demo` calls this."""
 
 import argparse
-import os
 import re
-import subprocess
 import sys
 import time
 from pathlib import Path
 
-from strip import make_strip
-
 HERE = Path(__file__).resolve().parent
-ROOT = HERE.parents[1]
-BUILD = Path(os.environ.get("EYE_BUILD_DIR", ROOT / "build"))
-OUT = Path(os.environ.get("EYE_OUT_DIR", ROOT / "out"))
-BLENDER = [os.environ.get("BLENDER", "blender"), "-b", "--factory-startup"]
+sys.path.insert(0, str(HERE.parent))
+from tools.blender import BUILD, OUT, ROOT, is_newer, make_hall, run_blender  # noqa: E402
+from tools.sheet import Panel, Row, make_sheet  # noqa: E402
 
 SPHERES_D = ("0.00", "-1.50", "-3.00", "-4.50")
 SIZE_PX = 512  # as make_scene.py sets it
+LABEL_PX = 36
 SAMPLE = re.compile(r"Sample (\d+)/(\d+)")
-
-
-def is_newer(made: Path, made_from: list[Path]) -> bool:
-    """Whether `made` need not be made again."""
-    if not made.exists():
-        return False
-    return made.stat().st_mtime >= max(path.stat().st_mtime for path in made_from)
-
-
-def make_scene(variant: str) -> Path:
-    scene = BUILD / "demo" / f"hall_{variant}.blend"
-    script = HERE / "make_scene.py"
-    if not is_newer(scene, [script, *(HERE / "hall").glob("*.py")]):
-        start = time.monotonic()
-        print(f"Building the hall ({variant})", end=" ", flush=True)
-        scene.parent.mkdir(parents=True, exist_ok=True)
-        run_blender("--python", str(script), "--", str(scene), variant)
-        print(f"{time.monotonic() - start:.0f} s")
-    return scene
-
-
-def run_blender(*arguments: str, on_line=lambda line: None) -> None:
-    """Ends this program with Blender's last lines if Blender fails."""
-    lines = []
-    with subprocess.Popen(
-        [*BLENDER, "--python-exit-code", "1", *arguments],
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-    ) as blender:
-        for line in blender.stdout:
-            lines.append(line)
-            on_line(line)
-    if blender.returncode:
-        sys.exit("".join([*lines[-20:], f"\nBlender failed, status {blender.returncode}"]))
 
 
 class Progress:
@@ -119,14 +79,15 @@ def main() -> None:
     )
     arguments = parser.parse_args()
 
-    scene = make_scene("principled")
+    scene = make_hall("principled")
     if arguments.scene_only:
-        make_scene("basic")
+        make_hall("basic")
         return
     views = render_views(scene, arguments.samples)
     strip = OUT / "demo.png"
-    if not is_newer(strip, [*views, HERE / "strip.py"]):
-        make_strip(views, [f"{sphere_d} DS" for sphere_d in SPHERES_D], SIZE_PX, strip)
+    if not is_newer(strip, [*views, HERE.parent / "tools/sheet.py"]):
+        labels = [f"{sphere_d} DS" for sphere_d in SPHERES_D]
+        make_sheet(strip, [Row(list(map(Panel, views, labels)))], SIZE_PX, LABEL_PX)
     print(strip)
 
 

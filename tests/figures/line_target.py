@@ -1,0 +1,76 @@
+"""Builds the target for astigmatism and saves it: black lines on white, as many horizontal as
+vertical ones, alike under a quarter turn. Runs inside Blender:
+
+blender -b --factory-startup --python line_target.py -- FILE.blend
+"""
+
+import math
+import sys
+
+import bpy
+
+DISTANCE_M = 6.0  # beyond 1/3 m, where -6.00DC leaves no line in focus but those of one direction
+FIELD_DEG = 16.0
+CARD_ARCMIN = 840
+LINES = 7  # in each quarter of the card
+LINE_ARCMIN = 24  # as wide as the gap to the next
+
+
+def main(path: str) -> None:
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    scene = bpy.context.scene
+    scene.world = bpy.data.worlds.new("dark")
+    _rectangles("card", 0.8, DISTANCE_M, [(0, 0, CARD_ARCMIN / 2, CARD_ARCMIN / 2)])
+    _rectangles("lines", 0.02, DISTANCE_M - 0.01, list(_lines()))
+    camera = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
+    camera.data.angle = math.radians(FIELD_DEG)
+    camera.rotation_euler = (math.pi / 2, 0, 0)  # looks along +y
+    scene.collection.objects.link(camera)
+    scene.camera = camera
+    scene.view_settings.view_transform = "Standard"
+    bpy.ops.wm.save_as_mainfile(filepath=path, compress=True)
+
+
+def _lines():
+    """Centres and half sizes (arcmin). The lines of two opposite quarters are horizontal."""
+    half_length = (LINES - 0.5) * LINE_ARCMIN
+    centre = CARD_ARCMIN / 4
+    for right in (-1, 1):
+        for up in (-1, 1):
+            for number in range(LINES):
+                across = (2 * number - LINES + 1) * LINE_ARCMIN
+                if right == up:
+                    yield right * centre + across, up * centre, LINE_ARCMIN / 2, half_length
+                else:
+                    yield right * centre, up * centre + across, half_length, LINE_ARCMIN / 2
+
+
+def _rectangles(name: str, radiance: float, distance_m: float, rectangles: list) -> None:
+    def metres(arcmin: float) -> float:
+        return distance_m * math.tan(math.radians(arcmin / 60))
+
+    corners = [
+        (metres(x + right * w), distance_m, metres(y + up * h))
+        for x, y, w, h in rectangles
+        for right, up in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
+    mesh = bpy.data.meshes.new(name)
+    mesh.from_pydata(corners, [], [range(4 * k, 4 * k + 4) for k in range(len(rectangles))])
+    mesh.materials.append(_glowing(name, radiance))
+    bpy.context.scene.collection.objects.link(bpy.data.objects.new(name, mesh))
+
+
+def _glowing(name: str, radiance: float) -> bpy.types.Material:
+    material = bpy.data.materials.new(name)
+    if material.node_tree is None:  # before Blender 5
+        material.use_nodes = True
+    tree = material.node_tree
+    tree.nodes.clear()
+    emission = tree.nodes.new("ShaderNodeEmission")
+    emission.inputs["Color"].default_value = (radiance, radiance, radiance, 1)
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(emission.outputs[0], output.inputs["Surface"])
+    return material
+
+
+main(*sys.argv[sys.argv.index("--") + 1 :])
