@@ -10,9 +10,9 @@ namespace eye_render {
 namespace {
 
 // The eye's own prescription as a lens in the plane of the correction, so that it sees well.
-Prescription full_correction(const EyeDescription& description, Correction correction)
+Prescription full_correction(const EyeDescription& description)
 {
-    const double lens_m = correction == Correction::Glasses
+    const double lens_m = description.correction == Correction::Glasses
                               ? m_from_mm(description.vertex_mm) + cornea_to_entrance_pupil_m
                               : cornea_to_entrance_pupil_m;
     const double written_m = description.rx_plane == RxPlane::Spectacle
@@ -36,8 +36,7 @@ std::optional<WornLens> worn_lens(const EyeDescription& description)
     if (description.correction == Correction::None) {
         return std::nullopt;
     }
-    Prescription rx =
-        description.worn.value_or(full_correction(description, description.correction));
+    Prescription rx = description.worn ? *description.worn : full_correction(description);
     if (description.correction == Correction::Contacts) {
         return contact_lens(rx);
     }

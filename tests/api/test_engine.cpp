@@ -4,6 +4,7 @@
 
 #include "base/units.h"
 #include "eye/field_luminance.h"
+#include "optics/population_wavefront.h"
 
 #include <gtest/gtest.h>
 
@@ -152,6 +153,21 @@ TEST(Engine, eye_that_looks_far_away_accommodates_to_infinity)
     Engine engine(wall(2.0, 1.0f), hyperope, {});
     EXPECT_EQ(engine.eye().accommodation_d, 2.0);
     EXPECT_EQ(engine.metadata().at("focus_m"), "inf");
+}
+
+TEST(Engine, wavefront_eye_without_a_wavefront_is_the_mean_one_at_its_pupil)
+{
+    Observer observer = myope(-1.0);
+    observer.eye.model = EyeModelKind::Wavefront;
+    observer.eye.rx.eye = EyeSide::Left;
+    EyeDescription mean = observer.eye;
+    mean.wavefront = population_wavefront(4e-3, EyeSide::Left);
+    mean.pupil_mm = 4.0;
+    const V2d at_the_edge(2e-3, 0.0);
+    const V2d expected = make_eye(mean)->ray(V2d(0.0), at_the_edge, 555.0).slope;
+    Engine engine(wall(2.0, 1.0f), observer, {});
+    EXPECT_EQ(engine.eye().model->ray(V2d(0.0), at_the_edge, 555.0).slope, expected);
+    EXPECT_NE(expected.y, 0.0) << "a wavefront without coma would prove nothing";
 }
 
 TEST(Engine, darker_scene_opens_the_pupil)
