@@ -49,8 +49,9 @@ std::unique_ptr<EyeModel> make_bare_eye(const EyeSpec& spec)
     const PowerMatrix rx_entrance_pupil = rx_at_entrance_pupil(spec);
     if (spec.model == EyeModelKind::Paper) {
         require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
-        return make_paper_eye(rx_as_written(spec), spec.accommodation_d, spec.pupil_diameter_m,
-                              spec.eye_length_m);
+        // A worn lens has a place, so behind it the eye's prescription must have one, too.
+        return make_paper_eye(spec.worn ? rx_entrance_pupil : rx_as_written(spec),
+                              spec.accommodation_d, spec.pupil_diameter_m, spec.eye_length_m);
     }
     if (spec.model == EyeModelKind::Navarro) {
         return make_eye_of_kind(spec, SchematicEyeKind::Navarro);

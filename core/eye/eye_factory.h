@@ -64,8 +64,8 @@ struct EyeSpec {
 [[nodiscard]] PowerMatrix rx_at_entrance_pupil(const EyeSpec& spec);
 
 // Throws std::invalid_argument for anything out of range, whether the model uses it or not. The
-// paper's model knows no vertex distance and takes the prescription as it is written; the pinhole
-// has neither prescription nor pupil.
+// paper's model knows no vertex distance and takes the prescription as it is written, unless the
+// eye wears a lens; the pinhole has neither prescription nor pupil.
 [[nodiscard]] std::unique_ptr<EyeModel> make_eye(const EyeSpec& spec);
 
 }  // namespace eye_render
