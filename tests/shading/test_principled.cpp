@@ -25,27 +25,38 @@ Bsdf shaded(const Material& material, double angle_deg = 30.0)
     return shade(material, seen_at(angle_deg), MadeUpHit()).bsdf;
 }
 
+struct Furnace {
+    double returned = 0.0;
+    double standard_error = 0.0;
+};
+
 // Light returned for light from all around, straight and mirrored light included.
-double furnace(const Bsdf& bsdf)
+Furnace furnace(const Bsdf& bsdf)
 {
     std::mt19937 random(4);
     std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
-    constexpr int samples = 20000;
+    constexpr int samples = 8000;
     double sum = 0.0;
+    double sum_of_squares = 0.0;
     for (int i = 0; i < samples; ++i) {
         const float u_lobe = uniform(random);
         const float x = uniform(random);
         if (const auto s = bsdf.sample(u_lobe, {x, uniform(random)})) {
-            sum += double(luminance(s->weight)) / samples;
+            const auto weight = double(luminance(s->weight));
+            sum += weight;
+            sum_of_squares += weight * weight;
         }
     }
-    return sum;
+    const double mean = sum / samples;
+    return {mean, std::sqrt(std::max(0.0, sum_of_squares / samples - mean * mean) / samples)};
 }
 
-TEST(Principled, returns_no_more_light_than_comes_over_all_its_inputs)
+TEST(Principled, white_returns_all_light_over_all_its_inputs)
 {
-    // Of compensation's tables near grazing angles, and four deviations of the furnace.
-    constexpr double excess = 0.025;
+    // What one layer keeps from the next, and what compensation gives back, are read from tables.
+    // Their linear interpolation is off by this much at most, between the few nodes that a
+    // dielectric of large index has near grazing angles. Nothing else is lost.
+    constexpr double interpolation_error = 8e-3;
     for (float metallic : {0.0f, 0.5f, 1.0f}) {
         for (float transmission : {0.0f, 0.5f, 1.0f}) {
             for (float roughness : {0.0f, 0.2f, 0.6f, 1.0f}) {
@@ -59,12 +70,12 @@ TEST(Principled, returns_no_more_light_than_comes_over_all_its_inputs)
                                          .transmission = constant(transmission),
                                          .alpha = constant(0.9f)};
                         for (double angle_deg : {0.0, 60.0, 80.0}) {
-                            const double returned = furnace(shaded(m, angle_deg));
-                            EXPECT_LT(returned, 1.0 + excess)
+                            const Furnace f = furnace(shaded(m, angle_deg));
+                            EXPECT_NEAR(f.returned, 1.0,
+                                        4.0 * f.standard_error + interpolation_error)
                                 << "metallic " << metallic << ", transmission " << transmission
                                 << ", roughness " << roughness << ", specular " << specular
                                 << ", ior " << ior << ", " << angle_deg << " deg";
-                            EXPECT_GT(returned, 0.9);
                         }
                     }
                 }
@@ -77,7 +88,7 @@ TEST(Principled, white_at_default_settings_is_almost_white)
 {
     for (float roughness : {0.0f, 0.25f, 0.5f, 1.0f}) {
         const Material m{.base_color = constant(1.0f), .roughness = constant(roughness)};
-        EXPECT_NEAR(furnace(shaded(m)), 1.0, 0.01) << roughness;
+        EXPECT_NEAR(furnace(shaded(m)).returned, 1.0, 0.01) << roughness;
     }
 }
 
@@ -145,7 +156,7 @@ TEST(Principled, alpha_passes_light_straight_and_dims_the_rest_and_the_glow)
     EXPECT_NEAR(point.emission.x, 1.0f, 1e-6f);
     EXPECT_EQ(straight_transmittance(m, MadeUpHit()), Color3f(0.75f));
     EXPECT_EQ(emitted_radiance(m, MadeUpHit()), point.emission);
-    EXPECT_NEAR(furnace(point.bsdf), 0.75 + 0.25 * double(luminance(blue)), 0.01);
+    EXPECT_NEAR(furnace(point.bsdf).returned, 0.75 + 0.25 * double(luminance(blue)), 0.01);
 }
 
 TEST(Principled, a_hole_is_nothing_but_straight_light)
