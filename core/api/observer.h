@@ -20,7 +20,9 @@ enum class FocusMode { Relaxed, Distance, Center };
 [[nodiscard]] std::string_view to_string(FocusMode mode);
 
 struct Observer {
-    EyeDescription eye{};  // its pupil and accommodation are found, and not read
+    // Its pupil and accommodation are found, and not read. The wavefront model without a wavefront
+    // is the mean of healthy eyes.
+    EyeDescription eye{};
     double age_years = 30.0;
     std::optional<double> pupil_mm;  // nothing: from the light of the scene
     PupilFormula pupil_formula = PupilFormula::WatsonYellott;

@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 #include "eye/field_luminance.h"
+#include "optics/population_wavefront.h"
 #include "render/tracer.h"
 
 #include <algorithm>
@@ -153,6 +154,10 @@ ObserverEye make_observer_eye(const Observer& observer,
     }
     EyeDescription description = observer.eye;
     description.pupil_mm = eye.pupil_mm;
+    if (description.model == EyeModelKind::Wavefront && !description.wavefront) {
+        const double pupil_m = std::max(m_from_mm(eye.pupil_mm), min_wavefront_pupil_m);
+        description.wavefront = population_wavefront(pupil_m, description.rx.eye);
+    }
     description.accommodation_d = 0.0;
     eye.model = make_eye(description);
     eye.focus_distance_m = focus_distance_m(observer, *eye.model, *scene, frame);
