@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <memory>
+#include <numbers>
 
 namespace eye_render::test {
 
@@ -50,6 +51,42 @@ inline Mesh cube(float h)
     }
     mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
                       {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+// A ball of radius `r`, its facets facing outwards: `rings` from pole to pole, twice as many
+// around.
+inline Mesh ball(float r, int rings)
+{
+    Mesh mesh;
+    mesh.name = "ball";
+    const int around = 2 * rings;
+    const auto index = [around](int ring, int step) {
+        return static_cast<std::uint32_t>(ring * around + step % around);
+    };
+    for (int ring = 0; ring <= rings; ++ring) {
+        const float theta =
+            std::numbers::pi_v<float> * static_cast<float>(ring) / static_cast<float>(rings);
+        for (int step = 0; step < around; ++step) {
+            const float phi = 2.0f * std::numbers::pi_v<float> * static_cast<float>(step) /
+                              static_cast<float>(around);
+            mesh.positions.push_back(V3f(std::sin(theta) * std::cos(phi),
+                                         std::sin(theta) * std::sin(phi), std::cos(theta)) *
+                                     r);
+        }
+    }
+    for (int ring = 0; ring < rings; ++ring) {
+        for (int step = 0; step < around; ++step) {
+            if (ring > 0) {
+                mesh.triangles.push_back(
+                    {index(ring, step), index(ring + 1, step), index(ring, step + 1)});
+            }
+            if (ring + 1 < rings) {
+                mesh.triangles.push_back(
+                    {index(ring, step + 1), index(ring + 1, step), index(ring + 1, step + 1)});
+            }
+        }
+    }
     return mesh;
 }
 

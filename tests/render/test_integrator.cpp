@@ -1,7 +1,7 @@
 // The path tracer against derived answers.
 
 #include "base/units.h"
-#include "render/integrator.h"
+#include "estimate.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -9,73 +9,9 @@
 namespace eye_render {
 namespace {
 
-struct Estimate {
-    double mean = 0.0;
-    double standard_error = 0.0;
-};
-
-// Radiance along `ray`, red channel, over `count` paths.
-Estimate estimate(const Scene& scene,
-                  const IntegratorSettings& settings,
-                  const Ray& ray,
-                  int count)
-{
-    double sum = 0.0;
-    double sum_of_squares = 0.0;
-    for (int i = 0; i < count; ++i) {
-        SampleSequence sequence(sobol_key(7, static_cast<std::uint64_t>(i)), 0);
-        const double value =
-            static_cast<double>(trace_path(scene, settings, ray, sequence).radiance.x);
-        sum += value;
-        sum_of_squares += value * value;
-    }
-    const double mean = sum / count;
-    const double variance = std::max(0.0, sum_of_squares / count - mean * mean);
-    return {mean, std::sqrt(variance / count)};
-}
-
-// Four standard errors: one false alarm in 16,000 runs, and the seed is fixed. The absolute part
-// is float rounding of a sum of this size.
-void expect_matches(const Estimate& found, double expected)
-{
-    EXPECT_NEAR(found.mean, expected, 4.0 * found.standard_error + 2e-5 * expected)
-        << "standard error " << found.standard_error;
-}
-
-TEST(Integrator, closed_furnace_sums_the_geometric_series)
-{
-    constexpr float albedo = 0.7f;
-    for (const int max_bounces : {0, 1, 3, 6}) {
-        SceneData data;
-        test::place(data, test::cube(1.0f), V3d(0.0), test::emissive_diffuse(albedo, 0.5f));
-        const Scene scene(data, V3d(0.0));
-        double expected = 0.0;
-        for (int k = 0; k <= max_bounces + 1; ++k) {
-            expected += 0.5 * std::pow(static_cast<double>(albedo), k);
-        }
-        SCOPED_TRACE(max_bounces);
-        expect_matches(estimate(scene, {.max_bounces = max_bounces},
-                                {.direction = V3f(0.3f, 0.2f, -1.0f).normalized()}, 20000),
-                       expected);
-    }
-}
-
-TEST(Integrator, deep_furnace_reaches_one_over_one_minus_albedo)
-{
-    SceneData data;
-    test::place(data, test::cube(1.0f), V3d(0.0), test::emissive_diffuse(0.5f, 1.0f));
-    const Scene scene(data, V3d(0.0));
-    expect_matches(estimate(scene, {.max_bounces = 64}, {}, 20000), 1.0 / (1.0 - 0.5));
-}
-
-TEST(Integrator, white_surface_vanishes_in_a_white_world)
-{
-    SceneData data;
-    test::place(data, test::square(1.0f), V3d(0.0, 0.0, -2.0), test::diffuse(1.0f));
-    data.world.color = Color3f(1.0f);
-    const Scene scene(data, V3d(0.0));
-    expect_matches(estimate(scene, {.max_bounces = 4}, {}, 4000), 1.0);
-}
+using test::Estimate;
+using test::estimate;
+using test::expect_matches;
 
 TEST(Integrator, point_lamp_lights_a_plane_by_the_inverse_square)
 {
