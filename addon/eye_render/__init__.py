@@ -13,6 +13,7 @@ bl_info = {
 from . import (  # noqa: E402  (bl_info comes first by convention)
     batch,
     engine,
+    operators,
     properties,
     pupils,
     ui,
@@ -24,11 +25,13 @@ def register():
     batch.register()
     pupils.register()
     engine.register()
+    operators.register()
     ui.register()
 
 
 def unregister():
     ui.unregister()
+    operators.unregister()
     engine.unregister()
     pupils.unregister()
     properties.unregister()

@@ -3,8 +3,10 @@
 import difflib
 import sys
 from dataclasses import dataclass
+from pathlib import Path
 
 from .options import HELP, OPTIONS, help_rows
+from .wavefront import WavefrontFile
 
 EXIT_STATUS = 2  # of a run with a bad option
 _PREFIX = "--eye"
@@ -30,6 +32,9 @@ class Overrides:
     samples: int | None = None
     seed: int | None = None
     sample_range: tuple[int, int] | None = None
+    worn: str | None = None  # "none", "own" or a prescription
+    wavefront: WavefrontFile | None = None
+    report: Path | None = None
 
 
 overrides = Overrides()

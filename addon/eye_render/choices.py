@@ -12,6 +12,32 @@ EYE_MODELS = [
     ("PINHOLE", "Pinhole", "A pupil without width, so that nothing is blurred", 0),
     ("PAPER", "Wang & Xiao 2013", "The thin-lens eye of the paper, astigmatism by angle", 1),
     ("PARAXIAL", "Paraxial", "The dioptric power matrix, exact to first order", 2),
+    ("WAVEFRONT", "Wavefront", "Paraxial, with the higher-order aberrations of an eye", 3),
+    ("NAVARRO", "Navarro", "Real surfaces: Navarro, Santamaria & Bescos 1985, any angle", 4),
+    ("ARIZONA", "Arizona", "Real surfaces: the Arizona eye of Schwiegerling 2004", 5),
+    ("LE_GRAND", "Le Grand", "Real surfaces, all spherical: Le Grand's full theoretical eye", 6),
+]
+SCHEMATIC_MODELS = {"NAVARRO", "ARIZONA", "LE_GRAND"}
+
+REFRACTION_ZEROS = [
+    ("PARAXIAL", "Paraxial", "Rays next to the axis come to a focus on the retina", 0),
+    (
+        "MINIMUM_RMS_SPOT",
+        "Smallest Spot",
+        "The blur of a point through the whole pupil is least",
+        1,
+    ),
+]
+
+CORRECTIONS = [
+    ("NONE", "None", "The naked eye", 0),
+    ("GLASSES", "Glasses", "Glasses at the vertex distance", 1),
+    ("CONTACTS", "Contacts", "Contact lenses, on the cornea", 2),
+]
+
+WAVEFRONT_SOURCES = [
+    ("POPULATION", "Mean Eye", "The mean of 200 healthy eyes (Thibos et al. 2002)", 0),
+    ("MEASURED", "Measured", "What was measured in these eyes, from files", 1),
 ]
 
 PUPIL_MODES = [
@@ -67,6 +93,7 @@ QUALITY_SAMPLES = {"DRAFT": 16, "PREVIEW": 64, "FINAL": 256, "REFERENCE": 4096}
 PUPIL_RANGE_MM = (0.0, 9.0)
 FIELD_RANGE_DEG = (0.1, 180.0)
 FOCUS_RANGE_M = (0.01, 1e12)
+VERTEX_RANGE_MM = (0.0, 20.0)
 AGE_RANGE_YEARS = (0.0, 120.0)
 SAMPLES_RANGE = (1, 1 << 24)
 FILTER_RANGE_PX = (0.01, 10.0)

@@ -6,11 +6,12 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
-from . import batch, export, passes, pupils
+from . import batch, export, passes, pupils, reporting
 from .core import EyeRenderError
 from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
+from .observer import has_automatic_pupil, make_observer
 from .pupils import FoundPupil
-from .session import RenderSession, has_automatic_pupil, make_observer, make_settings
+from .session import RenderSession, make_settings
 
 SLICE_S = 0.1  # between looks at the Esc key
 FIRST_PICTURE_S = 0.5  # until the picture is shown for the first time
@@ -115,6 +116,8 @@ def _render_view(
         metadata = {**session.metadata, **pupil.metadata, "eye": eye.lower()}
         _stamp(engine, metadata, view_name)
         pupils.remember(camera.data, pupil)
+        if overrides.report is not None:
+            _say(reporting.write_of_picture(overrides.report, observer, metadata, view_name))
         _show_until_finished(engine, depsgraph, session, frame, view_name)
     return pupil
 

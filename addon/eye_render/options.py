@@ -3,9 +3,10 @@
 
 import math
 from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
-from . import choices, core
+from . import choices, core, wavefront
 from .prescription import parse as parse_prescription
 
 HELP = "--eye-help"
@@ -25,6 +26,14 @@ def _prescription(eye: str, meaning: str) -> Option:
         return text
 
     return Option("such as -2.00DS -0.75DC 160A", meaning, read)
+
+
+def _worn(text: str) -> str:
+    if text.lower() in ("none", "own"):
+        return text.lower()
+    if core.module is not None:
+        core.module.Prescription.parse(text)
+    return text
 
 
 def _one_of(items: list[tuple], meaning: str) -> Option:
@@ -81,9 +90,21 @@ def _sample_range(text: str) -> tuple[int, int]:
     return first, end
 
 
+def _report_path(text: str) -> Path:
+    path = Path(text)
+    if path.suffix != ".json":
+        raise ValueError("expected FILE.json")
+    return path
+
+
 OPTIONS: dict[str, Option] = {
     "--eye-rx": _prescription("RIGHT", "prescription of the right eye"),
     "--eye-rx-left": _prescription("LEFT", "prescription of the left eye"),
+    "--eye-worn": Option(
+        "none, own or such as -2.00DS",
+        "what the glasses or contact lenses are made to; own: what the eye needs",
+        _worn,
+    ),
     "--eye-side": _one_of(choices.EYES, "the eye to look through"),
     "--eye-pupil": _number(
         float, choices.PUPIL_RANGE_MM, "diameter of the pupil", " mm", {"auto": "auto"}
@@ -106,11 +127,19 @@ OPTIONS: dict[str, Option] = {
     "--eye-model": _one_of(
         choices.EYE_MODELS, "how the eye turns a point of its pupil into a ray"
     ),
+    "--eye-wavefront": Option(
+        "a file, CSV or JSON", "measured aberrations, for the model wavefront", wavefront.read
+    ),
     "--eye-quality": _one_of(choices.QUALITIES, "how many samples are taken of each pixel"),
     "--eye-samples": _number(int, choices.SAMPLES_RANGE, "samples of each pixel"),
     "--eye-seed": _number(int, choices.SEED_RANGE, "chooses the noise pattern"),
     "--eye-sample-range": Option(
         "A:B", "only the samples A to B-1, to be merged with others", _sample_range
+    ),
+    "--eye-report": Option(
+        "FILE.json",
+        "writes blur, contrast and focus of the eye, with a picture FILE.png",
+        _report_path,
     ),
 }
 

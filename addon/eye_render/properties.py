@@ -5,14 +5,43 @@ from bpy.props import (
     BoolProperty,
     EnumProperty,
     FloatProperty,
+    FloatVectorProperty,
     IntProperty,
     PointerProperty,
+    StringProperty,
 )
 from bpy.types import PropertyGroup
 
 from . import choices
-from .prescription import EyeRenderLeftPrescription, EyeRenderRightPrescription
+from .prescription import (
+    EyeRenderLeftPrescription,
+    EyeRenderLeftWorn,
+    EyeRenderRightPrescription,
+    EyeRenderRightWorn,
+)
 from .prescription import classes as _prescription_classes
+from .wavefront import MAX_TERMS
+
+
+class EyeRenderWavefront(PropertyGroup):
+    """The aberrations measured in one eye, in the clinician's frame."""
+
+    is_there: BoolProperty(name="Imported", description="Whether a measurement was imported")
+    source: StringProperty(name="Source", description="The file that was imported")
+    coefficients_um: FloatVectorProperty(
+        name="Coefficients",
+        description="Zernike coefficients in micrometres by OSA/ANSI index",
+        size=MAX_TERMS,
+        precision=4,
+    )
+    pupil_mm: FloatProperty(
+        name="Pupil", description="Diameter in millimetres of the pupil measured", default=6.0
+    )
+    wavelength_nm: FloatProperty(
+        name="Wavelength",
+        description="Wavelength in nanometres of the light measured with",
+        default=555.0,
+    )
 
 
 class EyeRenderObserver(PropertyGroup):
@@ -28,12 +57,24 @@ class EyeRenderObserver(PropertyGroup):
     left: PointerProperty(type=EyeRenderLeftPrescription, name="Left Eye (OS)")
     vertex_mm: FloatProperty(
         name="Vertex Distance",
-        description="Distance in millimetres from cornea to lens at which the eye was refracted",
+        description="Distance in millimetres from cornea to glasses, refracted with or worn",
         default=12.0,
-        min=0.0,
-        max=30.0,
+        min=choices.VERTEX_RANGE_MM[0],
+        max=choices.VERTEX_RANGE_MM[1],
         step=100,
         precision=1,
+    )
+    correction: EnumProperty(
+        name="Correction",
+        description="What is worn before the eyes",
+        items=choices.CORRECTIONS,
+        default="NONE",
+    )
+    right_worn: PointerProperty(type=EyeRenderRightWorn, name="Worn, Right Eye (OD)")
+    left_worn: PointerProperty(type=EyeRenderLeftWorn, name="Worn, Left Eye (OS)")
+    worn_add: BoolProperty(
+        name="Near Part",
+        description="Look through the part of the glasses with the reading addition",
     )
     age: FloatProperty(
         name="Age",
@@ -104,6 +145,24 @@ class EyeRenderObserver(PropertyGroup):
         items=choices.EYE_MODELS,
         default="PARAXIAL",
     )
+    refraction_zero: EnumProperty(
+        name="Zero Refraction",
+        description="What a prescription of zero means for an eye with real surfaces",
+        items=choices.REFRACTION_ZEROS,
+        default="PARAXIAL",
+    )
+    exact_trace: BoolProperty(
+        name="Exact Rays",
+        description="Trace every ray through the surfaces, which is slower than their fitted map",
+    )
+    wavefront_source: EnumProperty(
+        name="Wavefront",
+        description="Whose higher-order aberrations the wavefront model has",
+        items=choices.WAVEFRONT_SOURCES,
+        default="POPULATION",
+    )
+    right_wavefront: PointerProperty(type=EyeRenderWavefront, name="Wavefront, Right Eye (OD)")
+    left_wavefront: PointerProperty(type=EyeRenderWavefront, name="Wavefront, Left Eye (OS)")
 
 
 class EyeRenderScene(PropertyGroup):
@@ -136,6 +195,14 @@ class EyeRenderScene(PropertyGroup):
         description="Number that chooses the noise pattern",
         min=choices.SEED_RANGE[0],
         max=choices.SEED_RANGE[1],
+    )
+    chromatic: BoolProperty(
+        name="Chromatic",
+        description="Let the eye focus each colour at its own distance, as eyes do",
+    )
+    stiles_crawford: BoolProperty(
+        name="Stiles-Crawford",
+        description="Weight light by where it enters the pupil, as cones do, most in the middle",
     )
     pupil_pattern: EnumProperty(
         name="Pupil Pattern",
@@ -176,7 +243,13 @@ class EyeRenderPasses(PropertyGroup):
     )
 
 
-_classes = (*_prescription_classes, EyeRenderObserver, EyeRenderScene, EyeRenderPasses)
+_classes = (
+    *_prescription_classes,
+    EyeRenderWavefront,
+    EyeRenderObserver,
+    EyeRenderScene,
+    EyeRenderPasses,
+)
 
 
 def register():

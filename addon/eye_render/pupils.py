@@ -34,9 +34,9 @@ class FoundPupil(NamedTuple):
 
 def found_by(session: RenderSession, where: str) -> FoundPupil:
     metadata = {key: text for key, text in session.metadata.items() if key in _ORIGIN}
-    return FoundPupil(
-        session.pupil_mm, session.pupil_report, where, {**metadata, "pupil_found_in": where}
-    )
+    if metadata:  # an automatic pupil
+        metadata["pupil_found_in"] = where
+    return FoundPupil(session.pupil_mm, session.pupil_report, where, metadata)
 
 
 # By the full name of the camera's data: its evaluated copies share it, and undo keeps it.

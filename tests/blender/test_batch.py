@@ -16,7 +16,7 @@ def test_all_options_are_read():
     options = (
         "--eye-rx -1 --eye-rx-left +1 --eye-side left --eye-pupil 3.5 --eye-focus 0.4 "
         "--eye-age 45 --eye-model pinhole --eye-quality draft --eye-samples 8 --eye-seed 7 "
-        "--eye-sample-range 4:8"
+        "--eye-sample-range 4:8 --eye-worn NONE"
     )
     assert batch.parse(options.split()) == batch.Overrides(
         rx="-1",
@@ -30,6 +30,7 @@ def test_all_options_are_read():
         samples=8,
         seed=7,
         sample_range=(4, 8),
+        worn="none",
     )
 
 
@@ -60,6 +61,8 @@ def test_options_of_others_are_passed_over():
         ("--eye-pupil", "wide", "expected 0 to 9 mm or auto"),
         ("--eye-pupil", "nan", "expected 0 to 9 mm or auto"),
         ("--eye-pupil", "3,5,1", "expected 0 to 9 mm or auto"),
+        ("--eye-worn", "spectacles", "cannot read 'spectacles' as a sphere"),
+        ("--eye-wavefront", "/nowhere.csv", "/nowhere.csv cannot be read: No such file"),
         (
             "--eye-rx",
             "OS -2.00",
@@ -74,7 +77,7 @@ def test_options_of_others_are_passed_over():
         ("--eye-samples", "99999999", "expected 1 to 16 777 216"),
         ("--eye-samples", "1,5", "expected 1 to"),
         ("--eye-age", "-3", "expected 0 to 120 years"),
-        ("--eye-model", "navarro", "expected pinhole, paper, paraxial"),
+        ("--eye-model", "glass", "expected pinhole, paper, paraxial"),
         ("--eye-samples", "0", "expected 1 to"),
         ("--eye-samples", "1.5", "expected 1 to"),
         ("--eye-sample-range", "8:4", "expected A:B"),

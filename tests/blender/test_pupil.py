@@ -6,7 +6,7 @@ import bpy
 import pytest
 from eye_render import pupils
 from eye_render.batch import Overrides
-from eye_render.session import make_observer
+from eye_render.observer import make_observer
 from test_render import file_info
 
 PUPIL_LINE = re.compile(r"Eye Render: pupil: ([\d.]+) mm(.*)")

@@ -112,7 +112,7 @@ def test_the_file_carries_the_observer(scene, render):
     scene.camera.data.eye_render.pupil_mm = 3.5
     render()
     info = file_info(scene.render.filepath)
-    assert 'eye_render:rx: "-2.00DS -0.75DC 160A"' in info
+    assert 'eye_render:rx: "OD -2.00DS -0.75DC 160A"' in info
     assert 'eye_render:eye: "right"' in info
     assert 'eye_render:model: "paraxial"' in info
     assert 'eye_render:pupil_mm: "3.5' in info
@@ -136,7 +136,7 @@ def test_each_stereo_view_has_its_own_eye_and_place(sharp, tmp_path):
         path = str(tmp_path / f"stereo{suffix}.exr")
         info = file_info(path)
         assert f'eye_render:eye.{view}: "{view}"' in info
-        assert f'eye_render:rx.{view}: "{"-3" if view == "left" else "-1"}.00DS' in info
+        assert f'eye_render:rx.{view}: "{"OS -3" if view == "left" else "OD -1"}.00DS' in info
         # Blender loads no picture that calls itself one of several views.
         subprocess.run(["oiiotool", path, "--eraseattrib", "multiView", "-o", path], check=True)
         image = bpy.data.images.load(path)

@@ -2,7 +2,7 @@
 
 import bpy
 
-from . import focus, light, missing, prescription, pupil, render
+from . import focus, light, missing, model, prescription, pupil, render, report, worn
 
 _ENGINE = "EYE_RENDER"
 
@@ -31,9 +31,12 @@ _WELCOME = {
 _classes = (
     *missing.classes,
     *prescription.classes,
+    *worn.classes,
     *pupil.classes,
     *focus.classes,
+    *model.classes,
     *render.classes,
+    *report.classes,
     *light.classes,
 )
 

@@ -7,13 +7,19 @@ from .. import batch
 from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
-def _draw_eye(
+def seen_eyes(context: bpy.types.Context, observer: bpy.types.PropertyGroup) -> tuple[str, ...]:
+    """The eyes that the scene is rendered with."""
+    return ("RIGHT", "LEFT") if context.scene.render.use_multiview else (observer.eye,)
+
+
+def draw_prescription(
     layout: bpy.types.UILayout,
     context: bpy.types.Context,
     prescription: bpy.types.PropertyGroup,
     name: str,
     is_used: bool,
 ) -> None:
+    """The text, what is wrong with it, and its numbers, if there is a text."""
     column = split_column(layout)
     column.active = is_used
     problem = prescription.problem()
@@ -25,6 +31,9 @@ def _draw_eye(
     disagreement = prescription.disagreement()
     if disagreement:
         draw_sentence(column, context, disagreement, "INFO")
+    if not prescription.text.strip():
+        column.label(text="What the eye needs")
+        return
     powers = column.column(align=True)
     powers.prop(prescription, "sphere", text="Sphere (D)")
     powers.prop(prescription, "cylinder", text="Cylinder (D)")
@@ -32,6 +41,9 @@ def _draw_eye(
     axis.active = prescription.cylinder != 0.0
     axis.prop(prescription, "axis", text="Axis (°)")
     powers.prop(prescription, "add", text="Add (D)")
+    if prescription.base_in != 0.0 or prescription.base_up != 0.0:
+        powers.prop(prescription, "base_in", text="Prism In (Δ)")
+        powers.prop(prescription, "base_up", text="Up (Δ)")
 
 
 class _Prescription:
@@ -40,19 +52,17 @@ class _Prescription:
     def draw(self, context):
         layout = self.layout
         observer = self.camera(context).eye_render
-        is_stereo = context.scene.render.use_multiview
+        eyes = seen_eyes(context, observer)
 
         column = split_column(layout)
         row = column.row()
-        row.active = not is_stereo
+        row.active = len(eyes) == 1
         row.prop(observer, "eye", expand=True)
         for prescription, name in ((observer.right, "Right (OD)"), (observer.left, "Left (OS)")):
-            is_used = is_stereo or observer.eye == prescription.EYE
-            _draw_eye(layout, context, prescription, name, is_used)
+            draw_prescription(layout, context, prescription, name, prescription.EYE in eyes)
         column = split_column(layout)
         column.prop(observer, "vertex_mm", text="Vertex Distance (mm)")
         column.prop(observer, "age", text="Age (years)")
-        column.prop(observer, "model")
         if batch.overrides != batch.Overrides():
             layout.label(text="The command line overrides some of this", icon="INFO")
 
