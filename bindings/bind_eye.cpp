@@ -50,21 +50,15 @@ std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
                                                const std::string& correction,
                                                const py::object& worn,
                                                bool near_part,
-                                               const std::optional<Wavefront>& wavefront)
+                                               const std::optional<Wavefront>& wavefront,
+                                               const std::string& refraction_zero,
+                                               bool exact_trace)
 {
-    EyeDescription description{.model = named_of("model", model, eye_model_kinds),
-                               .rx = prescription_from_python(rx),
-                               .rx_plane = named_of("rx_plane", rx_plane, rx_planes),
-                               .vertex_mm = vertex_mm,
-                               .pupil_mm = pupil_mm,
-                               .accommodation_d = accommodation_d,
-                               .correction = named_of("correction", correction, corrections),
-                               .near_part = near_part,
-                               .wavefront = wavefront};
-    if (!worn.is_none()) {
-        description.worn = prescription_from_python(worn);
-    }
-    return make_eye(description);
+    EyeDescription eye = eye_from_python(model, rx, rx_plane, vertex_mm, correction, worn,
+                                         near_part, wavefront, refraction_zero, exact_trace);
+    eye.pupil_mm = pupil_mm;
+    eye.accommodation_d = accommodation_d;
+    return make_eye(eye);
 }
 
 std::string blur_text(const BlurEllipse& blur)
@@ -89,6 +83,7 @@ void bind_eye(py::module_& m)
     using namespace py::literals;
 
     m.attr("EYE_MODELS") = names_of(eye_model_kinds);
+    m.attr("REFRACTION_ZEROS") = names_of(refraction_zeros);
     m.attr("PUPIL_FORMULAS") = names_of(pupil_formulas);
     m.attr("PUPIL_PATTERNS") = names_of(pupil_pattern_kinds);
 
@@ -105,7 +100,8 @@ void bind_eye(py::module_& m)
         .def(py::init(&make_eye_from_python), "model"_a = "paraxial", "rx"_a = "plano",
              "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0,
              "accommodation_d"_a = 0.0, py::kw_only(), "correction"_a = "none",
-             "worn"_a = py::none(), "near_part"_a = false, "wavefront"_a = py::none())
+             "worn"_a = py::none(), "near_part"_a = false, "wavefront"_a = py::none(),
+             "refraction_zero"_a = "paraxial", "exact_trace"_a = false)
         .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
              "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
              "2).")

@@ -30,19 +30,13 @@ Observer make_observer(const std::string& model,
                        const std::string& correction,
                        const py::object& worn,
                        bool near_part,
-                       const std::optional<Wavefront>& wavefront)
+                       const std::optional<Wavefront>& wavefront,
+                       const std::string& refraction_zero,
+                       bool exact_trace)
 {
     Observer observer;
-    observer.eye.correction = named_of("correction", correction, corrections);
-    if (!worn.is_none()) {
-        observer.eye.worn = prescription_from_python(worn);
-    }
-    observer.eye.near_part = near_part;
-    observer.eye.wavefront = wavefront;
-    observer.eye.model = named_of("model", model, eye_model_kinds);
-    observer.eye.rx = prescription_from_python(rx);
-    observer.eye.rx_plane = named_of("rx_plane", rx_plane, rx_planes);
-    observer.eye.vertex_mm = vertex_mm;
+    observer.eye = eye_from_python(model, rx, rx_plane, vertex_mm, correction, worn, near_part,
+                                   wavefront, refraction_zero, exact_trace);
     observer.age_years = age_years;
     if (const auto diameter_mm = number_from(pupil)) {
         observer.pupil_mm = *diameter_mm;
@@ -208,12 +202,14 @@ void bind_render(py::module_& m)
              "pupil"_a = "auto", "pupil_formula"_a = "WATSON_YELLOTT", "cd_m2_per_unit"_a = 179.0,
              "luminance_sigma"_a = 0.5, "field_area_deg2"_a = py::none(), "eyes"_a = 2,
              "focus"_a = "relaxed", "correction"_a = "none", "worn"_a = py::none(),
-             "near_part"_a = false, "wavefront"_a = py::none(),
+             "near_part"_a = false, "wavefront"_a = py::none(), "refraction_zero"_a = "paraxial",
+             "exact_trace"_a = false,
              "pupil: 'auto' or mm. field_area_deg2: what an automatic pupil adapts to, None for\n"
              "the picture's; eyes: how many see it. focus: 'relaxed', 'center' or metres.\n"
              "correction: 'none', 'glasses' or 'contacts', made to `worn`, by default the eye's "
              "own\n"
-             "prescription. wavefront: what the model of that name needs.")
+             "prescription. wavefront: what the model of that name needs. refraction_zero,\n"
+             "exact_trace: for the schematic eyes.")
         .def("__repr__", &observer_text);
 
     py::class_<RenderSettings>(m, "Settings", "How it is rendered.")

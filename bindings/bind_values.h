@@ -49,4 +49,32 @@ template <typename Table>
     return parse_prescription(rx.cast<std::string>());
 }
 
+// What Eye and Observer are both told of an eye.
+[[nodiscard]] inline EyeDescription eye_from_python(const std::string& model,
+                                                    const py::object& rx,
+                                                    const std::string& rx_plane,
+                                                    double vertex_mm,
+                                                    const std::string& correction,
+                                                    const py::object& worn,
+                                                    bool near_part,
+                                                    const std::optional<Wavefront>& wavefront,
+                                                    const std::string& refraction_zero,
+                                                    bool exact_trace)
+{
+    EyeDescription eye{.model = named_of("model", model, eye_model_kinds),
+                       .rx = prescription_from_python(rx),
+                       .rx_plane = named_of("rx_plane", rx_plane, rx_planes),
+                       .vertex_mm = vertex_mm,
+                       .correction = named_of("correction", correction, corrections),
+                       .near_part = near_part,
+                       .refraction_zero =
+                           named_of("refraction_zero", refraction_zero, refraction_zeros),
+                       .exact_trace = exact_trace,
+                       .wavefront = wavefront};
+    if (!worn.is_none()) {
+        eye.worn = prescription_from_python(worn);
+    }
+    return eye;
+}
+
 }  // namespace eye_render

@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 __version__: str
 PASSES: list[tuple[str, int, str]]  # name, channels, channel names
 EYE_MODELS: list[str]
+REFRACTION_ZEROS: list[str]
 PUPIL_FORMULAS: list[str]
 PUPIL_PATTERNS: list[str]
 
@@ -94,6 +95,8 @@ class Eye:
         worn: Prescription | str | None = None,
         near_part: bool = False,
         wavefront: Wavefront | None = None,
+        refraction_zero: str = "paraxial",
+        exact_trace: bool = False,
     ) -> None: ...
     def rays(
         self, chief_slope: ArrayLike, pupil_point_m: ArrayLike, wavelength_nm: float = 555.0
@@ -289,6 +292,8 @@ class Observer:
         worn: Prescription | str | None = None,
         near_part: bool = False,
         wavefront: Wavefront | None = None,
+        refraction_zero: str = "paraxial",
+        exact_trace: bool = False,
     ) -> None: ...
 
 class Settings:

@@ -176,6 +176,11 @@ std::map<std::string, std::string> Engine::metadata() const
             entries["pupil_clamps"] = joined(eye_.pupil_clamps);
         }
     }
+    if (is_schematic(observer_.eye.model)) {
+        entries["refraction_zero"] = to_string(observer_.eye.refraction_zero);
+        entries["exact_trace"] = observer_.eye.exact_trace ? "yes" : "no";
+        entries["fit_residual_arcmin"] = number_text(eye_.model->approximation_arcmin());
+    }
     if (observer_.eye.correction != Correction::None) {
         entries["correction"] = to_string(observer_.eye.correction);
         entries["worn"] =

@@ -66,6 +66,8 @@ std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
                             .vertex_m = m_from_mm(description.vertex_mm),
                             .pupil_diameter_m = m_from_mm(description.pupil_mm),
                             .accommodation_d = description.accommodation_d,
+                            .zero = description.refraction_zero,
+                            .exact_trace = description.exact_trace,
                             .wavefront = description.wavefront,
                             .worn = worn_lens(description)});
 }

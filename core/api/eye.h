@@ -37,6 +37,8 @@ struct EyeDescription {
     // Nothing: the eye's own prescription, referred to the lens's plane.
     std::optional<Prescription> worn{};
     bool near_part = false;  // glasses: looks through the part with the reading addition
+    RefractionZero refraction_zero = RefractionZero::Paraxial;  // schematic eyes: what 0 D means
+    bool exact_trace = false;  // schematic eyes: every ray through the surfaces, not by the fit
     // What EyeModelKind::Wavefront needs, clinician's frame; its tilt and second order are left to
     // `rx`.
     std::optional<Wavefront> wavefront{};

@@ -23,6 +23,13 @@ inline constexpr std::array eye_model_kinds{
     EyeModelKind::Pinhole, EyeModelKind::Paper,   EyeModelKind::Paraxial, EyeModelKind::Wavefront,
     EyeModelKind::Navarro, EyeModelKind::Arizona, EyeModelKind::LeGrand};
 
+// Whether it is made of real surfaces.
+[[nodiscard]] constexpr bool is_schematic(EyeModelKind kind)
+{
+    return kind == EyeModelKind::Navarro || kind == EyeModelKind::Arizona ||
+           kind == EyeModelKind::LeGrand;
+}
+
 // "pinhole", "paper", "paraxial", "wavefront", "navarro", "arizona", "le_grand".
 [[nodiscard]] std::string_view to_string(EyeModelKind kind);
 
@@ -49,8 +56,8 @@ struct EyeSpec {
     double pupil_diameter_m = 4e-3;  // of the entrance pupil, 0 for none
     double accommodation_d = 0.0;    // referred to the entrance pupil
     double eye_length_m = 17e-3;     // the paper's d_eye; used with EyeModelKind::Paper
-    // Of the schematic eyes: what a refraction of 0 is, and whether every ray is traced through the
-    // surfaces rather than fitted to such rays.
+    // Of the schematic eyes: what a refraction of 0 is, and whether every ray is traced through
+    // the surfaces rather than fitted to such rays.
     RefractionZero zero = RefractionZero::Paraxial;
     bool exact_trace = false;
     // In the clinician's frame; needed with EyeModelKind::Wavefront and then at least as wide as

@@ -62,6 +62,10 @@ public:
     }
 
     [[nodiscard]] virtual double pupil_diameter_m() const = 0;
+
+    // The largest angle by which its rays may differ from those of the eye it stands for, within
+    // 20 degrees of the axis: 0 for a model that evaluates its own definition.
+    [[nodiscard]] virtual double approximation_arcmin() const { return 0.0; }
 };
 
 }  // namespace eye_render

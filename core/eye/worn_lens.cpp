@@ -9,6 +9,8 @@
 #include "base/units.h"
 #include "eye/models.h"
 
+#include <algorithm>
+
 namespace eye_render {
 
 namespace {
@@ -38,11 +40,12 @@ public:
 
     // With d the lens's distance, a = 1 - d X and F its power, light from X reaches the pupil with
     // the vergence (I - d a F)^-1 (X I - a F): no case of its own for X = 1/d, an object at the
-    // lens. It is singular only for a lens whose focus is the pupil.
+    // lens. What is nearer than that is not seen through it, and counts as a = 0. So 0 <= a <= 1,
+    // and the vergence is singular only for a lens whose focus is the pupil.
     [[nodiscard]] PowerMatrix error_d(double object_vergence_d) const override
     {
         const double d = lens_.distance_m;
-        const double a = 1.0 - d * object_vergence_d;
+        const double a = std::max(0.0, 1.0 - d * object_vergence_d);
         const PowerMatrix& f = lens_.power_d;
         // Both matrices have F's axes, so the vergence is a sphere and a multiple of F's own
         // astigmatism.
@@ -60,6 +63,11 @@ public:
     }
 
     [[nodiscard]] double pupil_diameter_m() const override { return eye_->pupil_diameter_m(); }
+
+    [[nodiscard]] double approximation_arcmin() const override
+    {
+        return eye_->approximation_arcmin();
+    }
 
 private:
     std::unique_ptr<const EyeModel> eye_;
