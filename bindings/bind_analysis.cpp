@@ -1,7 +1,7 @@
 // The part of eyecore.Eye that says what becomes of a point: spot, PSF, MTF, focus.
 
 #include "api/eye_analysis.h"
-#include "api/observer.h"
+#include "api/observer_eye.h"
 #include "module.h"
 
 #include <limits>
@@ -203,10 +203,7 @@ void bind_analysis(py::module_& m)
     m.def(
         "observer_eye",
         [](const Observer& observer, double pupil_mm, double accommodation_d) {
-            EyeDescription description = observer.eye;
-            description.pupil_mm = pupil_mm;
-            description.accommodation_d = accommodation_d;
-            return std::shared_ptr<EyeModel>(make_eye(description));
+            return std::shared_ptr<EyeModel>(eye_in_state(observer, pupil_mm, accommodation_d));
         },
         "observer"_a, "pupil_mm"_a, "accommodation_d"_a = 0.0,
         "The eye that an observer looks with, in that state.");

@@ -143,6 +143,20 @@ std::string_view to_string(FocusMode mode)
     return "";
 }
 
+std::unique_ptr<EyeModel> eye_in_state(const Observer& observer,
+                                       double pupil_mm,
+                                       double accommodation_d)
+{
+    EyeDescription description = observer.eye;
+    description.pupil_mm = pupil_mm;
+    description.accommodation_d = accommodation_d;
+    if (description.model == EyeModelKind::Wavefront && !description.wavefront) {
+        const double measured_pupil_m = std::max(m_from_mm(pupil_mm), min_wavefront_pupil_m);
+        description.wavefront = population_wavefront(measured_pupil_m, description.rx.eye);
+    }
+    return make_eye(description);
+}
+
 ObserverEye make_observer_eye(const Observer& observer,
                               const std::shared_ptr<const Scene>& scene,
                               const CameraFrame& frame,
@@ -152,19 +166,11 @@ ObserverEye make_observer_eye(const Observer& observer,
     if (observer.eye.model != EyeModelKind::Pinhole) {
         adapt_pupil(eye, observer, scene, frame, threads);
     }
-    EyeDescription description = observer.eye;
-    description.pupil_mm = eye.pupil_mm;
-    if (description.model == EyeModelKind::Wavefront && !description.wavefront) {
-        const double pupil_m = std::max(m_from_mm(eye.pupil_mm), min_wavefront_pupil_m);
-        description.wavefront = population_wavefront(pupil_m, description.rx.eye);
-    }
-    description.accommodation_d = 0.0;
-    eye.model = make_eye(description);
+    eye.model = eye_in_state(observer, eye.pupil_mm, 0.0);
     eye.focus_distance_m = focus_distance_m(observer, *eye.model, *scene, frame);
     accommodate(eye, observer, *eye.model);
     if (eye.accommodation_d > 0.0) {
-        description.accommodation_d = eye.accommodation_d;
-        eye.model = make_eye(description);
+        eye.model = eye_in_state(observer, eye.pupil_mm, eye.accommodation_d);
     }
     return eye;
 }

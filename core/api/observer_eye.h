@@ -25,6 +25,11 @@ struct ObserverEye {
     std::vector<std::string> notes;         // on accommodation, in sentences
 };
 
+// The observer's eye with that pupil and accommodation. Throws as make_eye does.
+[[nodiscard]] std::unique_ptr<EyeModel> eye_in_state(const Observer& observer,
+                                                     double pupil_mm,
+                                                     double accommodation_d);
+
 // Looks along the axis for FocusMode::Center, and traces a small picture for an automatic pupil,
 // on at most `threads` threads (0: all the processor has).
 [[nodiscard]] ObserverEye make_observer_eye(const Observer& observer,

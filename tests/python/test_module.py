@@ -149,6 +149,15 @@ def test_refusals_name_value_and_what_is_allowed(call, sentence: str) -> None:
         call()
 
 
+def test_wavefront_observer_without_a_wavefront_has_the_mean_eye() -> None:
+    mean = eyecore.Wavefront.population(3.0, "OD")
+    rx = eyecore.Prescription.parse("OD -1.00")
+    expected = eyecore.Eye(model="wavefront", rx=rx, wavefront=mean, pupil_mm=3.0)
+    eye = eyecore.observer_eye(eyecore.Observer(model="wavefront", rx=rx), 3.0)
+    edge = ([[0.0, 0.0]], [[0.0015, 0.0]])
+    assert eye.rays(*edge)[1].tolist() == expected.rays(*edge)[1].tolist()
+
+
 def test_things_say_what_they_are() -> None:
     rx = eyecore.Prescription(-2.0, -0.75, 160)
     assert repr(rx) == "Prescription('-2.00DS -0.75DC 160A')"
