@@ -101,8 +101,9 @@ V3d display_primaries(double wavelength_nm)
 double sample_wavelength_nm(double u)
 {
     const auto& cumulative = tables().cumulative;
-    const auto above = std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, u);
-    const auto index = static_cast<std::size_t>(above - cumulative.begin()) - 1;
+    const auto below =
+        std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, u) - cumulative.begin() - 1;
+    const auto index = static_cast<std::size_t>(below);
     const double low = mean(tables().primaries[index]);
     const double high = mean(tables().primaries[index + 1]);
     // Solves low t + (high - low) t^2 / 2 = rest in the form that also holds when low = high.

@@ -22,7 +22,7 @@ std::vector<double> radial_coefficients(int n, int m)
     for (int s = 0; s <= highest; ++s) {
         coefficients[static_cast<std::size_t>(highest - s)] = coefficient;
         // Products before quotients: every step is a whole number.
-        coefficient *= -static_cast<double>(((n + m) / 2 - s) * (highest - s));
+        coefficient *= -static_cast<double>((n - highest - s) * (highest - s));
         coefficient /= static_cast<double>((s + 1) * (n - s));
     }
     return coefficients;
@@ -36,9 +36,9 @@ struct ValueAndDerivative {
 ValueAndDerivative horner(const std::vector<std::complex<double>>& coefficients, double t)
 {
     ValueAndDerivative sum;
-    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
         sum.derivative = sum.derivative * t + sum.value;
-        sum.value = sum.value * t + *c;
+        sum.value = sum.value * t + coefficients[k];
     }
     return sum;
 }
@@ -55,8 +55,8 @@ double zernike_radial(int n, int m, double rho)
     if (n < m) return 0.0;
     double value = 0.0;
     const std::vector<double> coefficients = radial_coefficients(n, m);
-    for (auto c = coefficients.rbegin(); c != coefficients.rend(); ++c) {
-        value = value * rho * rho + *c;
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+        value = value * rho * rho + coefficients[k];
     }
     return value * std::pow(rho, m);
 }
