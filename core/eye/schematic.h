@@ -33,18 +33,18 @@ inline constexpr std::array refraction_zeros{RefractionZero::Paraxial,
 struct SchematicSpec {
     SchematicEyeKind kind = SchematicEyeKind::Navarro;
     PowerMatrix rx_entrance_pupil_d{};  // camera frame
-    double accommodation_d = 0.0;     // true accommodation, referred to the entrance pupil
-    double pupil_diameter_m = 4e-3;   // of the entrance pupil
+    double accommodation_d = 0.0;       // true accommodation, referred to the entrance pupil
+    double pupil_diameter_m = 4e-3;     // of the entrance pupil
     RefractionZero zero = RefractionZero::Paraxial;
     bool exact_trace = false;
 };
 
 class SchematicEye : public EyeModel {
 public:
-    // The largest angle between a fitted ray and the exact one within 20 degrees of the axis, over
-    // the pupil and the visible wavelengths, found by comparison when the eye was made. 0 for an
-    // eye that traces exactly, and for one whose field is too narrow for a fit.
-    [[nodiscard]] virtual double fit_residual_arcmin() const = 0;
+    // How far from the axis rays are fitted rather than traced; 0 for an eye that traces all. Over
+    // this field, the pupil and the visible wavelengths approximation_arcmin(), which is found by
+    // comparison when the eye is made, is at most 0.02.
+    [[nodiscard]] virtual double fitted_field_deg() const = 0;
 };
 
 // The mean sphere is made by the length of the vitreous body, the cylinder by a biconic anterior

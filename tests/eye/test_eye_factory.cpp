@@ -54,15 +54,18 @@ TEST(EyeFactory, accepts_both_ends_of_every_range)
                                .vertex_m = end * max_vertex_m,
                                .pupil_diameter_m = end * max_pupil_diameter_m,
                                .accommodation_d = end * most_d,
+                               .exact_trace = true,
                                .wavefront = wavefront}),
                       "accepted");
         }
         EXPECT_EQ(refusal({.model = model,
                            .rx = Prescription{.sphere_d = -30.0, .cylinder_d = -15.0},
+                           .exact_trace = true,
                            .wavefront = wavefront}),
                   "accepted");
         EXPECT_EQ(refusal({.model = model,
                            .rx = Prescription{.sphere_d = 30.0, .cylinder_d = 15.0},
+                           .exact_trace = true,
                            .wavefront = wavefront}),
                   "accepted");
     }
