@@ -79,19 +79,14 @@ TEST(Wavefront, sends_rays_down_its_slope_as_the_vectors)
         const auto slope_at = [&](const Wavefront& w, const V2d& p_mm) {
             return polynomial_um(w).gradient(p_mm / radius_mm) * (-1e-3 / radius_mm);
         };
-        const V2d slope_osa = slope_at(wavefront, point_mm);
-        const Json& expected = vector["expect"];
         // Slopes are small numbers: compared in microradians.
-        for (int axis = 0; axis < 2; ++axis) {
-            EXPECT_NEAR(slope_osa[axis] * 1e6, expected["slope_osa"][axis].get<double>() * 1e6,
-                        1e-9);
-        }
-        const V2d slope_camera = slope_at(mirrored(wavefront), {-point_mm.x, point_mm.y});
-        for (int axis = 0; axis < 2; ++axis) {
-            EXPECT_NEAR(slope_camera[axis] * 1e6,
-                        expected["slope_camera_at_same_physical_point"][axis].get<double>() * 1e6,
-                        1e-9);
-        }
+        const auto expect_slope = [](const V2d& slope, const Json& expected) {
+            EXPECT_NEAR(slope.x * 1e6, expected[0].get<double>() * 1e6, 1e-9);
+            EXPECT_NEAR(slope.y * 1e6, expected[1].get<double>() * 1e6, 1e-9);
+        };
+        expect_slope(slope_at(wavefront, point_mm), vector["expect"]["slope_osa"]);
+        expect_slope(slope_at(mirrored(wavefront), {-point_mm.x, point_mm.y}),
+                     vector["expect"]["slope_camera_at_same_physical_point"]);
     }
 }
 
