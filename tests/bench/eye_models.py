@@ -140,8 +140,10 @@ def main(result: Path) -> None:
           f"{SAMPLES} samples, {BOUNCES} bounces; medians of {ROUNDS}")  # fmt: skip
     print("model        ns/ray   render s   share   error against   median'    largest'")
     for row in rows:
-        print(f"{row.model:10} {row.ray_ns:8.0f} {row.render_s:10.2f} {100 * row.share:6.1f} %"
-              f"   {row.reference:13} {row.median_arcmin:9.4f} {row.maximum_arcmin:10.4f}")  # fmt: skip
+        print(
+            f"{row.model:10} {row.ray_ns:8.0f} {row.render_s:10.2f} {100 * row.share:6.1f} %"
+            f"   {row.reference:13} {row.median_arcmin:9.4f} {row.maximum_arcmin:10.4f}"
+        )
     result.write_text(json.dumps([asdict(row) for row in rows], indent=1))
 
 
