@@ -167,6 +167,7 @@ TEST(Spot, of_a_closed_eye_is_empty)
     EXPECT_TRUE(spot.points.empty());
     EXPECT_EQ(spot.transmitted, 0.0);
     EXPECT_EQ(spot_ellipse(spot_moments(spot)).major_arcmin, 0.0);
+    EXPECT_EQ(spot_moments(Spot{.points = {SpotPoint{.weight = 0.0}}}).rms_radius_rad(), 0.0);
 }
 
 }  // namespace
