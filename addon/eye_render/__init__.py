@@ -13,9 +13,9 @@ bl_info = {
 from . import (  # noqa: E402  (bl_info comes first by convention)
     batch,
     engine,
+    found,
     operators,
     properties,
-    pupils,
     ui,
 )
 
@@ -23,7 +23,7 @@ from . import (  # noqa: E402  (bl_info comes first by convention)
 def register():
     properties.register()
     batch.register()
-    pupils.register()
+    found.register()
     engine.register()
     operators.register()
     ui.register()
@@ -33,5 +33,5 @@ def unregister():
     ui.unregister()
     operators.unregister()
     engine.unregister()
-    pupils.unregister()
+    found.unregister()
     properties.unregister()

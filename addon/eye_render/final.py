@@ -6,11 +6,10 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
-from . import batch, export, passes, pupils, reporting
+from . import batch, export, found, passes, reporting
 from .core import EyeRenderError
 from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
 from .observer import has_automatic_pupil, make_observer
-from .pupils import FoundPupil
 from .session import RenderSession, make_settings
 
 SLICE_S = 0.1  # between looks at the Esc key
@@ -60,16 +59,14 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
         engine.update_stats("", "Exporting the scene")
         core_scene = export.export_scene(depsgraph, warn, check_cancel)
         settings = camera.data.eye_render
-        is_automatic = has_automatic_pupil(settings, batch.overrides)
-        is_held = is_automatic and settings.pupil_hold
-        known_pupil = pupils.first_of_render(camera.data) if is_held else None
+        is_held = settings.pupil_hold and has_automatic_pupil(settings, batch.overrides)
+        known_pupil = found.first_pupil_of_render(camera.data) if is_held else None
         for view in engine.get_result().views:
             engine.active_view_set(view.name)
-            found = _render_view(
+            # One person's pupils are alike: the views share the first one's.
+            known_pupil = _render_view(
                 engine, depsgraph, core_scene, pass_names, view.name, known_pupil, warn
             )
-            if is_automatic:  # one person's pupils are alike: the views share the first one's
-                known_pupil = found
     except _Cancelled:
         return
 
@@ -80,9 +77,10 @@ def _render_view(
     core_scene,
     pass_names: list[str],
     view_name: str,
-    known_pupil: FoundPupil | None,
+    known_pupil: found.Pupil | None,
     warn: Callable[[str], None],
-) -> FoundPupil:
+) -> found.Pupil | None:
+    """The automatic pupil that the view was seen with, if it was."""
     scene = depsgraph.scene_eval
     camera = engine.camera_override or scene.camera
     overrides = batch.overrides
@@ -109,13 +107,21 @@ def _render_view(
         for line in session.plan_text.strip().splitlines():
             _say(line)
         where = f"frame {scene.frame_current}" + (f", view {view_name}" if view_name else "")
-        pupil = known_pupil or pupils.found_by(session, where)
-        _say(f"pupil: {pupil.report}" + (f", as in {pupil.where}" if known_pupil else ""))
+        pupil = known_pupil
+        if known_pupil:
+            _say(f"pupil: {known_pupil.report}, as in {known_pupil.where}")
+        else:
+            _say(f"pupil: {session.pupil_report}")
+            if has_automatic_pupil(settings, overrides):
+                pupil = found.pupil_by(session, where)
         for sentence in session.warnings:
             warn(sentence)
-        metadata = {**session.metadata, **pupil.metadata, "eye": eye.lower()}
+        metadata = {**session.metadata, "eye": eye.lower()}
+        if pupil:
+            metadata.update(pupil.metadata)
+            found.remember_pupil(camera.data, pupil)
+        found.remember_focus(camera.data, session)
         _stamp(engine, metadata, view_name)
-        pupils.remember(camera.data, pupil)
         if overrides.report is not None:
             _say(reporting.write_of_picture(overrides.report, observer, metadata, view_name))
         _show_until_finished(engine, depsgraph, session, frame, view_name)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import bpy
 import numpy as np
 
-from . import batch, core, pupils
+from . import batch, core, found
 from .core import EyeRenderError
 from .export.camera import check_camera, focus_distance_m, metres_per_unit
 from .observer import focus, has_automatic_pupil, make_observer
@@ -16,8 +16,6 @@ from .observer import focus, has_automatic_pupil, make_observer
 # The report needs the native module, without which the add-on still shows why it is missing.
 if TYPE_CHECKING:
     from .report import Subject, Written
-
-_written: set[Path] = set()  # in this run of Blender, by --eye-report
 
 
 def write(subject: "Subject", path: Path) -> "Written":
@@ -33,16 +31,13 @@ def write(subject: "Subject", path: Path) -> "Written":
 
 
 def write_of_picture(path: Path, observer, metadata: dict[str, str], view: str) -> str:
-    """The report that --eye-report asks for, once a run for each stereo view; gives what there is
-    to say of it."""
+    """The report that --eye-report asks for, each stereo view's in a file of its own; the sentence
+    that says so. Of an animation, the last frame's stays."""
     from .report import subject_of
 
     path = Path(bpy.path.abspath(str(path)))
     if view:
         path = path.with_stem(f"{path.stem}.{view}")
-    if path in _written:
-        return ""
-    _written.add(path)
     written = write(subject_of(observer, metadata), path)
     return f"report: {path}" + (f"; {written.note}" if written.note else "")
 
@@ -63,23 +58,23 @@ def subject_in(context: bpy.types.Context) -> "Subject":
     focus_m = focus_distance_m(depsgraph, camera, world_from_camera)
     if focus(settings, overrides, focus_m) == "center":
         overrides = replace(overrides, focus=_distance_ahead_m(depsgraph, camera))
-    found = pupils.last(camera.data)
+    pupil = found.last_pupil(camera.data)
     observer = make_observer(
         settings,
         scene.eye_render,
         overrides,
         eye,
         focus_m,
-        found.diameter_mm if found else settings.pupil_mm,
+        pupil.diameter_mm if pupil else settings.pupil_mm,
     )
     source = "set"
     if has_automatic_pupil(settings, overrides):
-        source = f"found in {found.where}" if found else "assumed: no render has found it yet"
-    metadata = {**_metadata(observer), "eye": eye.lower(), "pupil_source": source}
+        source = f"found in {pupil.where}" if pupil else "assumed: no render has found it yet"
+    metadata = {**metadata_of(observer), "eye": eye.lower(), "pupil_source": source}
     return subject_of(observer, metadata)
 
 
-def _metadata(observer) -> dict[str, str]:
+def metadata_of(observer) -> dict[str, str]:
     """What a picture would say of the observer, from a session that sees nothing."""
     with core.speaking() as eyecore:
         nothing = eyecore.Scene()

@@ -4,7 +4,7 @@ import re
 
 import bpy
 import pytest
-from eye_render import pupils
+from eye_render import found
 from eye_render.batch import Overrides
 from eye_render.observer import make_observer
 from test_render import file_info
@@ -23,15 +23,15 @@ def automatic(scene):
     return scene
 
 
-def found(scene) -> pupils.FoundPupil:
-    return pupils.last(scene.camera.data)
+def pupil_of(scene) -> found.Pupil:
+    return found.last_pupil(scene.camera.data)
 
 
 def test_a_wider_lens_narrows_the_pupil_unless_the_field_is_fixed(automatic, render):
     def diameter(lens_mm: float) -> float:
         automatic.camera.data.lens = lens_mm
         render()
-        return found(automatic).diameter_mm
+        return pupil_of(automatic).diameter_mm
 
     assert diameter(18.0) < diameter(85.0) - 0.5
     automatic.camera.data.eye_render.pupil_field = "FIXED"
@@ -43,15 +43,15 @@ def test_a_fixed_field_is_a_disc_of_the_diameter_given(automatic, render):
     observer.pupil_field = "FIXED"
     observer.pupil_field_deg = 10.0
     render()
-    assert found(automatic).metadata["field_area_deg2"] == "78.5398"
+    assert pupil_of(automatic).metadata["field_area_deg2"] == "78.5398"
 
 
 def test_a_covered_eye_widens_the_pupil(automatic, render):
     render()
-    both = found(automatic).diameter_mm
+    both = pupil_of(automatic).diameter_mm
     automatic.camera.data.eye_render.pupil_eyes = 1
     render()
-    assert found(automatic).diameter_mm > both + 0.3
+    assert pupil_of(automatic).diameter_mm > both + 0.3
 
 
 def test_the_pupil_is_told_on_the_console_and_in_the_file(automatic, render, capfd):
@@ -59,10 +59,10 @@ def test_the_pupil_is_told_on_the_console_and_in_the_file(automatic, render, cap
     render()
     printed = capfd.readouterr().out
     report = PUPIL_LINE.search(printed).group(0)
-    assert report.endswith(found(automatic).report)
+    assert report.endswith(pupil_of(automatic).report)
     assert "WATSON_YELLOTT, 179 cd/m2 over" in report
     assert "Eye Render: warning: pupil: age 10 years taken as 20 years" in printed
-    assert found(automatic).clamps == "age 10 years taken as 20 years"
+    assert pupil_of(automatic).clamps == "age 10 years taken as 20 years"
     info = file_info(automatic.render.filepath)
     assert 'eye_render:pupil_clamps: "age 10 years taken as 20 years"' in info
     assert 'eye_render:luminance_cd_m2: "179"' in info
@@ -72,9 +72,9 @@ def test_the_pupil_is_told_on_the_console_and_in_the_file(automatic, render, cap
 def test_what_a_render_found_is_forgotten_with_the_file_and_never_saved(automatic, render):
     render()
     name = automatic.camera.data.name
-    assert found(automatic) is not None
+    assert pupil_of(automatic) is not None
     bpy.ops.wm.read_homefile(use_factory_startup=True)
-    assert pupils.last(bpy.data.cameras[name]) is None
+    assert found.last_pupil(bpy.data.cameras[name]) is None
 
 
 BRIGHTENING = """

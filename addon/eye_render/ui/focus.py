@@ -2,8 +2,8 @@
 
 from bpy.types import Panel
 
-from .. import core
-from .tabs import CameraTab, SceneCameraTab, split_column
+from .. import core, summary
+from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
 class _Focus:
@@ -26,6 +26,9 @@ class _Focus:
         if core.module is not None:
             amplitude_d = core.module.accommodation_amplitude_d(observer.age)
             column.label(text=f"Accommodation up to {amplitude_d:.1f} D at this age")
+            shown = self.camera_object(context)
+            if shown is not None:
+                draw_sentence(self.layout, context, summary.line(context, shown), "INFO")
 
 
 class EYE_RENDER_PT_camera_focus(_Focus, CameraTab, Panel):

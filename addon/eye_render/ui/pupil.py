@@ -3,7 +3,7 @@
 import bpy
 from bpy.types import Panel
 
-from .. import choices, pupils
+from .. import choices, found
 from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
@@ -39,12 +39,12 @@ class _Pupil:
             if context.scene.render.use_multiview:
                 column.label(text="The first stereo view decides for all", icon="INFO")
         column.prop(scene, "pupil_pattern", text="Pattern")
-        found = pupils.last(self.camera(context))
-        if found is not None:
-            text = f"Last render, {found.where}: {found.report}"
+        pupil = found.last_pupil(self.camera(context))
+        if pupil is not None:
+            text = f"Last render, {pupil.where}: {pupil.report}"
             draw_sentence(self.layout, context, text, "INFO")
-            if found.clamps:
-                draw_sentence(self.layout, context, found.clamps)
+            if pupil.clamps:
+                draw_sentence(self.layout, context, pupil.clamps)
 
 
 class EYE_RENDER_PT_camera_pupil(_Pupil, CameraTab, Panel):

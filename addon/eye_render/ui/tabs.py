@@ -38,6 +38,12 @@ class CameraTab(Tab):
     def camera(context: bpy.types.Context) -> bpy.types.Camera:
         return context.camera
 
+    @staticmethod
+    def camera_object(context: bpy.types.Context) -> bpy.types.Object | None:
+        """Who stands with that camera; None where the data alone is pinned."""
+        shown = context.object
+        return shown if shown is not None and shown.data == context.camera else None
+
 
 class SceneCameraTab(RenderTab):
     """The render tab, for the camera that the scene is rendered with."""
@@ -50,6 +56,10 @@ class SceneCameraTab(RenderTab):
     @staticmethod
     def camera(context: bpy.types.Context) -> bpy.types.Camera:
         return context.scene.camera.data
+
+    @staticmethod
+    def camera_object(context: bpy.types.Context) -> bpy.types.Object:
+        return context.scene.camera
 
 
 def split_column(layout: bpy.types.UILayout) -> bpy.types.UILayout:

@@ -1,0 +1,93 @@
+"""What renders found of the eye that looked: shown in panels, shared by stereo views, and held
+through an animation. Known while Blender runs, and never saved."""
+
+from typing import NamedTuple
+
+import bpy
+from bpy.app.handlers import persistent
+
+from .session import RenderSession
+
+# What a picture's metadata says of where its automatic pupil came from.
+_ORIGIN = {
+    "pupil_formula",
+    "luminance_cd_m2",
+    "cd_m2_per_unit",
+    "luminance_sigma",
+    "field_area_deg2",
+    "eyes",
+    "pupil_clamps",
+}
+
+
+class Pupil(NamedTuple):
+    """An automatic pupil."""
+
+    diameter_mm: float
+    report: str  # one line: how wide, and what made it so
+    where: str  # which picture found it, such as "frame 1"
+    metadata: dict[str, str]  # for the files of the pictures seen with it
+
+    @property
+    def clamps(self) -> str:
+        """What was out of a formula's range; empty if nothing was."""
+        return self.metadata.get("pupil_clamps", "")
+
+
+def pupil_by(session: RenderSession, where: str) -> Pupil:
+    origin = {key: text for key, text in session.metadata.items() if key in _ORIGIN}
+    return Pupil(
+        session.pupil_mm, session.pupil_report, where, {**origin, "pupil_found_in": where}
+    )
+
+
+# By the full name of the camera's data: its evaluated copies share it, and undo keeps it.
+_last_pupil: dict[str, Pupil] = {}
+_first_pupil_of_render: dict[str, Pupil] = {}
+_last_focus_m: dict[str, float] = {}
+
+
+def remember_pupil(camera: bpy.types.Camera, pupil: Pupil) -> None:
+    _last_pupil[camera.name_full] = pupil
+    _first_pupil_of_render.setdefault(camera.name_full, pupil)
+
+
+def last_pupil(camera: bpy.types.Camera) -> Pupil | None:
+    """What the last render through this camera found."""
+    return _last_pupil.get(camera.name_full)
+
+
+def first_pupil_of_render(camera: bpy.types.Camera) -> Pupil | None:
+    """What the first picture of the running render found."""
+    return _first_pupil_of_render.get(camera.name_full)
+
+
+def remember_focus(camera: bpy.types.Camera, session: RenderSession) -> None:
+    if "focus_m" in session.metadata:
+        _last_focus_m[camera.name_full] = float(session.metadata["focus_m"])
+
+
+def last_focus_m(camera: bpy.types.Camera) -> float | None:
+    """What the eye looked at in the last render, if at anything."""
+    return _last_focus_m.get(camera.name_full)
+
+
+@persistent
+def _render_begins(*_):
+    _first_pupil_of_render.clear()
+
+
+@persistent
+def _file_is_left(*_):
+    for memory in (_first_pupil_of_render, _last_pupil, _last_focus_m):
+        memory.clear()
+
+
+def register():
+    bpy.app.handlers.render_init.append(_render_begins)
+    bpy.app.handlers.load_pre.append(_file_is_left)
+
+
+def unregister():
+    bpy.app.handlers.render_init.remove(_render_begins)
+    bpy.app.handlers.load_pre.remove(_file_is_left)

@@ -1,0 +1,63 @@
+"""The panel's line on blur, far and near point: as the scene stands, without a render."""
+
+import bpy
+import pytest
+from eye_render import summary
+from scenes import add_object
+
+
+@pytest.fixture
+def observer(scene):
+    """A right eye of -2 D at the pupil's own plane, which needs no vertex distance."""
+    observer = scene.camera.data.eye_render
+    observer.right.text = "-2.00"
+    observer.age = 60.0
+    observer.focus_mode = "DISTANCE"
+    scene.camera.data.dof.focus_distance = 0.5
+    return observer
+
+
+def line(scene) -> str:
+    return summary.line(bpy.context, scene.camera)
+
+
+def test_the_line_has_blur_points_and_pupil(scene, observer):
+    # The glasses would stand 15.05 mm before the pupil: at rest the eye is focused for 1.942 D,
+    # or 0.515 m, with all of its 0.5 D for 2.442 D, or 0.41 m. Focused for the 2 D of 0.5 m, a
+    # pupil of 4 mm blurs what is far away by 4e-3 * 2 rad.
+    assert line(scene).startswith("Blur 0.0′ at 0.50 m, 27.5′ at infinity; far point 0.52 m, ")
+    assert line(scene).endswith("near point 0.41 m; pupil 4.0 mm")
+
+
+def test_the_line_follows_what_is_changed(scene, observer):
+    before = line(scene)
+    observer.correction = "GLASSES"
+    with_glasses = line(scene)
+    assert "far point infinity" in with_glasses
+    observer.pupil_mm = 2.0
+    assert "pupil 2.0 mm" in line(scene)
+    observer.pupil_mm = 4.0
+    observer.correction = "NONE"
+    assert line(scene) == before
+
+
+def test_the_line_looks_at_the_focus_object(scene, observer):
+    target = add_object(None)
+    target.location.z = -1.25
+    scene.camera.data.dof.focus_object = target
+    bpy.context.view_layer.update()
+    assert " at 1.25 m" in line(scene)
+
+
+def test_what_only_a_render_finds_is_said(scene, observer, render):
+    observer.focus_mode = "CENTER"
+    assert line(scene) == "Blur: the first render finds what is at the image centre"
+    observer.pupil_mode = "AUTO"
+    assert line(scene) == "Blur: the first render finds the pupil"
+    render()
+    assert "at infinity" in line(scene)
+
+
+def test_what_is_wrong_is_said_in_the_line(scene, observer):
+    observer.right.text = "-2.00 -0.75"
+    assert line(scene).startswith("Blur: Prescription of the right eye: the cylinder -0.75 needs")
