@@ -21,6 +21,12 @@ GridIndex grid_index(const PupilPattern& pattern, std::uint32_t number)
             number / pattern.distant_factor % pattern.angle_factor};
 }
 
+V2d disk_point(const V2f& u)
+{
+    const V2f p = sample_uniform_disk(u);
+    return {p.x, p.y};
+}
+
 // r = DistantIndex / DistantFactor, phi = 2 pi / AngleFactor (AngleIndex + r): consecutive samples
 // run out along one arm.
 V2d circinate_point(const PupilPattern& pattern, std::uint32_t number)
@@ -34,8 +40,11 @@ V2d circinate_point(const PupilPattern& pattern, std::uint32_t number)
 V2f grid_cell_centre(const PupilPattern& pattern, std::uint32_t number)
 {
     const GridIndex index = grid_index(pattern, number);
-    return V2f(V2d((index.distant + 0.5) / pattern.distant_factor,
-                   (index.angle + 0.5) / pattern.angle_factor));
+    const auto position = [](std::uint32_t cell, std::uint32_t cells) {
+        return static_cast<float>((cell + 0.5) / cells);
+    };
+    return {position(index.distant, pattern.distant_factor),
+            position(index.angle, pattern.angle_factor)};
 }
 
 // A hash of pixel and sample number that sobol_4d makes no use of.
@@ -71,13 +80,12 @@ PupilPattern make_pupil_pattern(PupilPatternKind kind, std::uint32_t samples)
 V2d pupil_point(const PupilPattern& pattern, const PupilSample& sample)
 {
     switch (pattern.kind) {
-    case PupilPatternKind::Sobol: return V2d(sample_uniform_disk(sample.u));
+    case PupilPatternKind::Sobol: return disk_point(sample.u);
     case PupilPatternKind::Circinate: return circinate_point(pattern, sample.number);
-    case PupilPatternKind::UniformRandom: return V2d(sample_uniform_disk(random_pair(sample)));
-    case PupilPatternKind::Grid:
-        return V2d(sample_uniform_disk(grid_cell_centre(pattern, sample.number)));
+    case PupilPatternKind::UniformRandom: return disk_point(random_pair(sample));
+    case PupilPatternKind::Grid: return disk_point(grid_cell_centre(pattern, sample.number));
     }
-    return V2d(0.0);
+    return {0.0, 0.0};
 }
 
 }  // namespace eye_render
