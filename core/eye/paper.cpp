@@ -28,9 +28,10 @@ double focal_length_m(double rx_d, double eye_length_m)
     constexpr double weakest = 0.1;  // of the emmetropic eye's power
     const double relative_power = 1.0 - eye_length_m * rx_d;
     if (!(relative_power >= weakest)) {
-        throw std::invalid_argument("a prescription of " + number_text(rx_d) +
-                                    " D needs a lens without power in an eye " +
-                                    number_text(mm_from_m(eye_length_m)) + " mm long");
+        throw std::invalid_argument(
+            "a prescription of " + number_text(rx_d) + " D needs a lens without power in an eye " +
+            number_text(mm_from_m(eye_length_m)) + " mm long; expected at most " +
+            number_text((1.0 - weakest) / eye_length_m) + " D");
     }
     return eye_length_m / relative_power;
 }

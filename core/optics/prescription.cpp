@@ -120,10 +120,13 @@ PowerMatrix moved_toward_eye(const PowerMatrix& power, double distance_m)
     for (const double sign : {-1.0, 1.0}) {
         const double principal_d = power.mean_d() + sign * power.astigmatism_d();
         if (!(1.0 - distance_m * principal_d >= nearest_focus_fraction)) {
-            throw std::invalid_argument("a lens of " + number_text(principal_d) +
-                                        " D cannot be referred to a plane " +
-                                        number_text(mm_from_m(distance_m)) +
-                                        " mm nearer to the eye, at or behind its own focus");
+            throw std::invalid_argument(
+                "a lens of " + number_text(principal_d) + " D cannot be referred to a plane " +
+                number_text(mm_from_m(distance_m)) +
+                " mm nearer to the eye, at or behind its own focus; "
+                "expected at " +
+                (distance_m < 0.0 ? "least " : "most ") +
+                number_text((1.0 - nearest_focus_fraction) / distance_m) + " D");
         }
     }
     // F (I - dF)^-1 = (F - d det(F) I) / det(I - dF): the adjugate of I - dF is I - d adj(F).
