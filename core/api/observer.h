@@ -35,7 +35,7 @@ struct Observer {
 };
 
 struct RenderSettings {
-    std::uint32_t samples = 64;        // of the whole picture, which shapes the circinate pattern
+    std::uint32_t samples = 64;        // of the whole picture; shapes circinate and grid patterns
     std::optional<SampleRange> range;  // of these, those to render; nothing: all
     int max_bounces = 8;
     std::uint64_t seed = 0;

@@ -33,8 +33,8 @@ constexpr double measured_at_nm = 633.0;
 
 Wavefront population_wavefront(double pupil_diameter_m, EyeSide eye)
 {
-    require_range("pupil_mm", mm_from_m(pupil_diameter_m), mm_from_m(min_wavefront_pupil_m),
-                  mm_from_m(max_population_pupil_m), "mm");
+    require_range("pupil of the population's wavefront", mm_from_m(pupil_diameter_m),
+                  mm_from_m(min_wavefront_pupil_m), mm_from_m(max_population_pupil_m), "mm");
     const PopulationMean* mean = population_means.begin();
     while (m_from_mm(mean->pupil_mm) < pupil_diameter_m) ++mean;
     Wavefront wavefront{.coefficients_um = std::vector<double>(first_index),

@@ -57,7 +57,7 @@ def test_a_measured_myope_is_corrected_by_its_own_prescription() -> None:
             lambda: eyecore.Wavefront([], 6.0, 900.0),
             "wavelength_nm is 900 nm; expected",
         ),
-        (lambda: eyecore.Wavefront.population(8.0), "pupil_mm is 8 mm; expected 1 to 7.5 mm"),
+        (lambda: eyecore.Wavefront.population(8.0), "wavefront is 8 mm; expected 1 to 7.5 mm"),
         (lambda: eyecore.Wavefront.population(6.0, eye="L"), "eye is 'L'; expected one of OD, OS"),
     ],
 )
