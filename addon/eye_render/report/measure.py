@@ -1,5 +1,5 @@
 """The numbers of a report. Every key names its unit; a distance of null is infinity, and one below
-0 lies behind the eye."""
+0 lies behind the eye. The blur is the evenly filled ellipse with the spot's second moments."""
 
 import math
 from collections.abc import Callable, Mapping, Sequence

@@ -4,7 +4,7 @@ import bpy
 from bpy.types import Panel
 
 from .. import batch
-from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
+from .tabs import NAME_SHARE, CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
 def seen_eyes(context: bpy.types.Context, observer: bpy.types.PropertyGroup) -> tuple[str, ...]:
@@ -32,7 +32,9 @@ def draw_prescription(
     if disagreement:
         draw_sentence(column, context, disagreement, "INFO")
     if not prescription.text.strip():
-        column.label(text="What the eye needs")
+        below_the_text = column.split(factor=NAME_SHARE)
+        below_the_text.label()
+        below_the_text.label(text="What the eye needs")
         return
     powers = column.column(align=True)
     powers.prop(prescription, "sphere", text="Sphere (D)")

@@ -4,6 +4,7 @@ import textwrap
 
 import bpy
 
+NAME_SHARE = 0.4  # of the width, in Blender's property columns
 _MARGIN_PX = 80  # of a panel: its borders, the icon, the scroll bar
 _LETTER_WIDTH_PX = 5.6  # on average, in Blender's own font
 _FEWEST_LETTERS = 16

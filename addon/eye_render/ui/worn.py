@@ -34,10 +34,8 @@ class _Worn:
         if observer.correction != "NONE":
             for worn, name in ((observer.right_worn, "Right"), (observer.left_worn, "Left")):
                 draw_prescription(self.layout, context, worn, name, worn.EYE in eyes)
-            column = split_column(self.layout)
             if observer.correction == "GLASSES":
-                column.prop(observer, "vertex_mm", text="Vertex Distance (mm)")
-                column.prop(observer, "worn_add")
+                split_column(self.layout).prop(observer, "worn_add")
         for eye in eyes:
             sentence = _without_effect(observer, eye)
             if sentence:
