@@ -1,9 +1,13 @@
 """How two engines' pictures of one scene differ, each rendered with two seeds."""
 
+import sys
 from dataclasses import dataclass
+from pathlib import Path
 
-import flip_evaluator
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.flip import mean_flip  # noqa: E402
 
 BLOCK_PX = 8
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
@@ -24,12 +28,12 @@ def compare(reference: list[np.ndarray], test: list[np.ndarray]) -> Difference:
     """`reference` and `test` are two linear RGB images (h, w, 3) each, of different seeds."""
     mean_reference, mean_test = np.mean(reference, axis=0), np.mean(test, axis=0)
     z = _block_z(reference, test)
-    noise = max(_flip(*reference), _flip(*test))
+    noise = max(mean_flip(*reference), mean_flip(*test))
     ratios = [(b @ LUMINANCE).mean() / (a @ LUMINANCE).mean()
               for a in reference for b in test]  # fmt: skip
     clipped = np.clip(mean_test, 0, 1) - np.clip(mean_reference, 0, 1)
     return Difference(
-        flip=_flip(mean_reference, mean_test),
+        flip=mean_flip(mean_reference, mean_test),
         flip_of_noise=noise,
         rmse=float(np.sqrt(np.mean(clipped**2))),
         brightness_ratio=float(
@@ -39,16 +43,6 @@ def compare(reference: list[np.ndarray], test: list[np.ndarray]) -> Difference:
         z_beyond_3=float(np.mean(np.abs(z) > 3)),
         z_sigma=float(np.std(z)),
     )
-
-
-def _flip(reference: np.ndarray, test: np.ndarray) -> float:
-    pair = [np.ascontiguousarray(_srgb(image), np.float32) for image in (reference, test)]
-    return float(flip_evaluator.evaluate(*pair, "LDR")[1])
-
-
-def _srgb(linear: np.ndarray) -> np.ndarray:
-    linear = np.clip(linear, 0, 1)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)
 
 
 def _block_z(reference, test) -> np.ndarray:

@@ -21,7 +21,7 @@ MODELS = (
     ("paper", "the eye of Wang & Xiao 2013", "PAPER"),
     ("paraxial", "the exact first-order eye", "WATSON_YELLOTT"),
 )
-SIZE_PX, SAMPLES = 256, 48
+SIZE_PX, SAMPLES = 256, 32
 RINGS = 8  # of Fig. 13's pattern: DistantFactor = AngleFactor
 
 
@@ -156,14 +156,14 @@ def make_figure(number: int, size_px: int, samples: int, out: Path) -> Path:
 
 def main() -> None:
     parser = argparse.ArgumentParser(prog="run figures")
-    parser.add_argument("numbers", nargs="*", type=int, choices=list(FIGURES), metavar="NUMBER",
-                        default=list(FIGURES), help="9 to 13 (default all)")  # fmt: skip
+    parser.add_argument("--only", nargs="+", type=int, choices=list(FIGURES),
+                        default=list(FIGURES), help="these figures")  # fmt: skip
     parser.add_argument("--samples", type=int, default=SAMPLES,
                         help=f"per pixel, but in Fig. 13 (default {SAMPLES})")  # fmt: skip
     parser.add_argument("--size", type=int, default=SIZE_PX,
                         help=f"pixels a side of a panel (default {SIZE_PX})")  # fmt: skip
     arguments = parser.parse_args()
-    for number in arguments.numbers:
+    for number in arguments.only:
         start = time.monotonic()
         print(f"Fig. {number} ", end="", flush=True)
         sheet = make_figure(number, arguments.size, arguments.samples, OUT / "figures")
