@@ -7,6 +7,7 @@ import csv
 import json
 import os
 import sys
+import tempfile
 from dataclasses import asdict, dataclass
 from pathlib import Path
 
@@ -18,7 +19,7 @@ sys.path.insert(0, str(HERE.parent))
 from chart import draw_chart  # noqa: E402
 from points import APPROXIMATES, Point, bias_of, error_of, mean_square  # noqa: E402
 from reading import Setting, write_reading  # noqa: E402
-from tools.blender import BUILD, OUT, make_hall, run_blender  # noqa: E402
+from tools.blender import OUT, make_hall, run_blender  # noqa: E402
 from tools.flip import mean_flip  # noqa: E402
 
 # A myope with astigmatism: most of the window is blurred over several pixels.
@@ -138,7 +139,6 @@ def render(scene: Path, size_px: int, pictures: list[dict], folder: Path) -> Mea
         if line.startswith("Picture ") and sys.stdout.isatty():
             print(f"\r{line.rstrip():60}", end="", flush=True)
 
-    folder.mkdir(parents=True, exist_ok=True)
     job = {"size_px": size_px, "rx": RX, "pupil_mm": PUPIL_MM, "pictures": pictures}
     script = str(HERE / "measure.py")
     run_blender("--addons", "eye_render", str(scene), "--python", script, "--",
@@ -163,9 +163,10 @@ def main() -> None:
     scene = arguments.scene or make_hall("principled")
     effort = QUICK if arguments.quick else DEFAULT
     models = list(eyecore.EYE_MODELS)
-    measured = render(scene, effort.size_px, pictures_of(effort, models), BUILD / "tradeoff")
-    points = points_of(effort, models, measured)
-    setting = setting_of(effort, scene, measured)
+    with tempfile.TemporaryDirectory() as folder:
+        measured = render(scene, effort.size_px, pictures_of(effort, models), Path(folder))
+        points = points_of(effort, models, measured)
+        setting = setting_of(effort, scene, measured)
     out = OUT / "tradeoff"
     out.mkdir(parents=True, exist_ok=True)
     write_csv(points, out / "points.csv")
