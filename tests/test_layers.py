@@ -22,6 +22,7 @@ MAY_INCLUDE = {
 # Who may name a third-party header. embree.h is the one file that knows Embree's version; the
 # acceleration structure reaches Embree through it.
 DOORS = {
+    "boost": {"core/optics/root.h"},
     "embree": {"core/scene/embree.h"},
     "OpenImageIO": {"core/scene/texture_cache.cpp"},
     "pybind11": {"bindings/*"},

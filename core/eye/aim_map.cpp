@@ -141,9 +141,11 @@ std::optional<AimMap> AimMap::fitted(const LensSystem& system,
         }
     }
     const auto through_nodes = [&](std::size_t unknown) {
-        std::vector<double> at_nodes;
-        for (const auto& change : changes) at_nodes.push_back(change[unknown]);
-        return least_squares(chromatic_powers, powers, at_nodes);
+        std::vector<double> at_nodes(chromatic_powers);
+        for (std::size_t node = 0; node < chromatic_powers; ++node) {
+            at_nodes[node] = changes[node][unknown];
+        }
+        return least_squares(chromatic_powers, powers, std::move(at_nodes));
     };
     for (std::size_t i = 0; i < map.chromatic_.size(); ++i) {
         const auto p = through_nodes(2 * i);

@@ -45,29 +45,26 @@ double least_spot_conjugate_d(const LensSystem& system,
     return -slope_height_m / height_height_m2;
 }
 
-// The nominal accommodation for which the eye of this axial length has the mean conjugate.
-LensSystem accommodated(const SchematicSpec& spec, double axial_m, double relaxed_d)
+// The eye that has this axial length, accommodated by what is asked for.
+LensSystem accommodated(const SchematicSpec& spec, double axial_m)
 {
     const auto system_at = [&](double nominal_d) {
         LensSystem system = schematic_eye(spec.kind, nominal_d);
         system.retina.vertex_m = axial_m;
         return system;
     };
-    const auto accommodation_d = [&](double nominal_d) {
-        return mean_conjugate_d(system_at(nominal_d), spec.zero, spec.pupil_diameter_m) -
-               relaxed_d;
-    };
     if (spec.accommodation_d == 0.0) return system_at(0.0);
-    const double max_d = max_nominal_accommodation_d(spec.kind);
+    const auto conjugate_d = [&](double nominal_d) {
+        return mean_conjugate_d(system_at(nominal_d), spec.zero, spec.pupil_diameter_m);
+    };
+    const double relaxed_d = conjugate_d(0.0);
+    const double max_nominal_d = max_nominal_accommodation_d(spec.kind);
+    require_range("accommodation_d", spec.accommodation_d, 0.0,
+                  conjugate_d(max_nominal_d) - relaxed_d, "D");
     const auto nominal_d = bracketed_root(
-        [&](double tried_d) { return accommodation_d(tried_d) - spec.accommodation_d; }, 0.0,
-        max_d);
-    if (!nominal_d) {
-        require_range("accommodation_d", spec.accommodation_d, 0.0, accommodation_d(max_d), "D");
-        throw std::invalid_argument("accommodation_d is " + number_text(spec.accommodation_d) +
-                                    " D, which this eye cannot do");
-    }
-    return system_at(*nominal_d);
+        [&](double tried_d) { return conjugate_d(tried_d) - relaxed_d - spec.accommodation_d; },
+        0.0, max_nominal_d);
+    return system_at(nominal_d.value());
 }
 
 }  // namespace
@@ -142,7 +139,7 @@ SchematicBody schematic_body(const SchematicSpec& spec)
         axial_length_m(published, relaxed_d.mean_d(), spec.zero, spec.pupil_diameter_m);
 
     SchematicBody body;
-    body.system = accommodated(spec, axial_m, relaxed_d.mean_d());
+    body.system = accommodated(spec, axial_m);
     const Indices indices = indices_at(body.system, reference_wavelength_nm);
     body.entrance_pupil_m = entrance_pupil(body.system, indices, Meridian::X).position_m;
     const double mean_d = mean_conjugate_d(body.system, spec.zero, spec.pupil_diameter_m);

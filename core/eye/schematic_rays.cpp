@@ -21,9 +21,9 @@ Sought root_in_plane(const Function& function, const V2d& guess, double toleranc
     V2d x = guess;
     Sought f = function(x);
     if (f.fate != TraceFate::Passed) return f;
-    const Sought fx = function(x + V2d(difference, 0.0));
+    Sought fx = function(x + V2d(difference, 0.0));
     if (fx.fate != TraceFate::Passed) return fx;
-    const Sought fy = function(x + V2d(0.0, difference));
+    Sought fy = function(x + V2d(0.0, difference));
     if (fy.fate != TraceFate::Passed) return fy;
     // Columns of the Jacobian.
     V2d jx = (fx.value - f.value) / difference;

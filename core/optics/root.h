@@ -20,7 +20,8 @@ template <typename Function>
     const double f_high = f(high);
     if (f_low == 0.0) return low;
     if (f_high == 0.0) return high;
-    if (!(f_low * f_high < 0.0)) return std::nullopt;
+    if (std::isnan(f_low) || std::isnan(f_high)) return std::nullopt;
+    if (std::signbit(f_low) == std::signbit(f_high)) return std::nullopt;
     std::uintmax_t evaluations = 100;  // it takes about ten
     const auto bracket = boost::math::tools::toms748_solve(
         f, low, high, f_low, f_high, boost::math::tools::eps_tolerance<double>(), evaluations);

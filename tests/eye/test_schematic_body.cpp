@@ -152,6 +152,21 @@ TEST(SchematicBody, accommodates_truly_with_the_axial_length_kept)
     }
 }
 
+TEST(SchematicBody, accommodation_sets_in_without_a_jump)
+{
+    const PowerMatrix rx_d{-4.0, 0.5, -1.0};
+    const PowerMatrix relaxed_d =
+        schematic_body({.rx_entrance_pupil_d = rx_d}).retinal_conjugate_d;
+    for (const double accommodation_d : {5e-324, 1e-12, 1e-6}) {
+        const PowerMatrix change_d =
+            schematic_body({.rx_entrance_pupil_d = rx_d, .accommodation_d = accommodation_d})
+                .retinal_conjugate_d -
+            relaxed_d;
+        EXPECT_NEAR(change_d.mean_d(), accommodation_d, 1e-10 + 0.1 * accommodation_d);
+        EXPECT_NEAR(change_d.astigmatism_d(), 0.0, 1e-10 + 0.1 * accommodation_d);
+    }
+}
+
 TEST(SchematicBody, a_cylinder_is_in_the_cornea_and_keeps_the_mean)
 {
     const Prescription rx{.sphere_d = -2.0, .cylinder_d = -3.0, .axis_deg = 30.0};

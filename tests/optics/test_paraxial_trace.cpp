@@ -33,6 +33,23 @@ TEST(ParaxialTrace, has_the_vectors_power_pupil_and_refraction)
     }
 }
 
+TEST(ParaxialTrace, agrees_with_another_program_to_its_last_digit)
+{
+    // Optiland on the eye of Escudero-Sanz & Navarro 1999 at 543 nm with a stop of 3 mm.
+    const LensSystem system = test::lens_system({{7.72, -0.26, 0.55, 1.3777},
+                                                 {6.5, 0.0, 3.05, 1.3391},
+                                                 {10.2, -3.1316, 4.0, 1.4222},
+                                                 {-6.0, -1.0, 16.3203, 1.3377}});
+    const Indices indices = indices_at(system, 543.0);
+    const double power_d = cardinal_points(system, indices, Meridian::X).power_d;
+    const EntrancePupil pupil = entrance_pupil(system, indices, Meridian::X);
+    constexpr double printed = 0.6e-6;
+    EXPECT_NEAR(1e3 / power_d, 16.467904, printed);
+    EXPECT_NEAR(1337.7 / power_d, 22.029115, printed);
+    EXPECT_NEAR(pupil.position_m * 1e3, 3.040096, printed);
+    EXPECT_NEAR(pupil.magnification * 3.0, 3.400218, printed);
+}
+
 TEST(ParaxialTrace, meridians_of_a_biconic_have_their_own_power)
 {
     LensSystem toric = test::navarro_589();
