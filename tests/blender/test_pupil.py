@@ -7,7 +7,7 @@ import pytest
 from eye_render import found
 from eye_render.batch import Overrides
 from eye_render.observer import make_observer
-from test_render import file_info
+from test_render import file_info, wall
 
 PUPIL_LINE = re.compile(r"Eye Render: pupil: ([\d.]+) mm(.*)")
 
@@ -25,6 +25,11 @@ def automatic(scene):
 
 def pupil_of(scene) -> found.Pupil:
     return found.last_pupil(scene.camera.data)
+
+
+def pupil_in(info: str, view: str = "") -> float:
+    """The diameter in millimetres that a file's metadata tell of."""
+    return float(re.search(rf'eye_render:pupil_mm{view}: "(.*)"', info).group(1))
 
 
 def test_a_wider_lens_narrows_the_pupil_unless_the_field_is_fixed(automatic, render):
@@ -101,9 +106,9 @@ def test_a_held_pupil_stays_as_the_first_frame_of_the_render_found_it(run_blende
     script = BRIGHTENING + "camera.eye_render.pupil_hold = True\nscene.frame_start = 2\n"
     still, *frames = pupils_of(run_blender("-a", script=script))
     assert float(frames[0][0]) < float(still[0]), "a new render finds its own first pupil"
-    assert [diameter for diameter, _ in frames] == [frames[0][0]] * 2
     assert frames[1][1].endswith(", as in frame 2")
     info = file_info(str(tmp_path / "out_0003.exr"))
+    assert pupil_in(info) == pupil_in(file_info(str(tmp_path / "out_0002.exr")))
     assert 'eye_render:pupil_found_in: "frame 2"' in info
     assert "eye_render:luminance_cd_m2" in info
 
@@ -113,10 +118,15 @@ def test_stereo_views_share_the_pupil_of_the_first(automatic, tmp_path, capfd):
     automatic.render.image_settings.file_format = "OPEN_EXR"
     automatic.render.image_settings.views_format = "INDIVIDUAL"
     automatic.render.filepath = str(tmp_path / "stereo.exr")
+    automatic.camera.data.stereo.interocular_distance = 1.0
+    wall(
+        (100.0, 100.0, 100.0), x=-1.0, size=1.0
+    )  # more in the left view's middle than the right's
     bpy.ops.render.render(write_still=True)
-    first, second = PUPIL_LINE.findall(capfd.readouterr().out)
-    assert first[0] == second[0]
+    _, second = PUPIL_LINE.findall(capfd.readouterr().out)
     assert second[1].endswith(", as in frame 1, view left")
+    info = file_info(str(tmp_path / "stereo_R.exr"))
+    assert pupil_in(info, ".left") == pupil_in(info, ".right")
 
 
 def test_a_manual_pupil_is_no_ones_else(automatic):

@@ -1,6 +1,8 @@
 """Measured aberrations: files, the operator that reads them, and what the core is told."""
 
 import json
+import re
+from pathlib import Path
 
 import bpy
 import pytest
@@ -64,6 +66,14 @@ def test_what_is_wrong_with_a_file_is_said_with_its_name(write, text, sentence):
     with pytest.raises(ValueError, match="^eye.csv: ") as caught:
         wavefront.read(write(text))
     assert sentence in str(caught.value)
+
+
+def test_the_readmes_file_is_read(write):
+    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"^```\n(pupil_mm.*?)^```", readme, re.MULTILINE | re.DOTALL)
+    measured = wavefront.read(write(example))
+    assert (measured.pupil_mm, measured.side) == (6.0, "OD")
+    assert measured.coefficients_um[12] == 0.2
 
 
 def test_a_file_that_is_no_text_is_refused(tmp_path):
