@@ -193,6 +193,28 @@ TEST(SchematicEye, fitted_rays_are_exact_rays_to_0_02_arcmin)
     }
 }
 
+TEST(SchematicEye, is_fitted_over_a_narrower_field_when_that_is_what_it_takes)
+{
+    // The conics of the accommodated Arizona eye are strong.
+    const auto eye = make_eye({.model = EyeModelKind::Arizona, .accommodation_d = 5.0});
+    EXPECT_LT(dynamic_cast<const SchematicEye&>(*eye).fitted_field_deg(), 39.0);
+    EXPECT_GT(dynamic_cast<const SchematicEye&>(*eye).fitted_field_deg(), 19.0);
+    EXPECT_GT(eye->approximation_arcmin(), 0.0);
+    EXPECT_LE(eye->approximation_arcmin(), 0.02);
+}
+
+TEST(SchematicEye, sees_invisible_wavelengths_as_the_nearest_visible_one)
+{
+    for (const bool exact_trace : {false, true}) {
+        const auto eye = make_eye({.model = EyeModelKind::Navarro, .exact_trace = exact_trace});
+        const V2d u(0.1, 0.0);
+        const V2d p_m(1e-3, 0.0);
+        EXPECT_EQ(eye->ray(u, p_m, 130.0).slope, eye->ray(u, p_m, 380.0).slope);
+        EXPECT_EQ(eye->ray(u, p_m, 1e4).slope, eye->ray(u, p_m, 780.0).slope);
+        EXPECT_NE(eye->ray(u, p_m, 381.0).slope, eye->ray(u, p_m, 380.0).slope);
+    }
+}
+
 TEST(SchematicEye, is_traced_exactly_beyond_its_fitted_field)
 {
     EyeSpec spec{.model = EyeModelKind::Navarro};

@@ -85,6 +85,12 @@ TEST(ConicSurface, the_other_sheet_of_a_hyperboloid_is_not_hit)
     ASSERT_TRUE(hit_m.has_value());
     EXPECT_GE(hit_m->z, 0.0);
     EXPECT_NEAR(hit_m->z, lens.sag_m(hit_m->x, hit_m->y).value(), 1e-17);
+    // So steep that it gains on the vertex's sheet from before the vertex plane.
+    const V3d steep = V3d(0.93, 0.0, 0.37).normalized();
+    const auto far_hit_m = lens.intersection({{6.0 * mm, 0.0, 0.0}, steep});
+    ASSERT_TRUE(far_hit_m.has_value());
+    EXPECT_GT(far_hit_m->x, 6.0 * mm);
+    EXPECT_NEAR(far_hit_m->z, lens.sag_m(far_hit_m->x, 0.0).value(), 1e-15);
 }
 
 TEST(ConicSurface, a_concave_retina_is_hit_beyond_its_equator_where_the_ray_leaves_the_eye)
