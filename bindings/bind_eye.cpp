@@ -1,8 +1,6 @@
 // eyecore.Eye, and what is known of pupils and accommodation.
 
 #include "api/eye.h"
-#include "base/error.h"
-#include "base/units.h"
 #include "bind_values.h"
 #include "module.h"
 

@@ -1,7 +1,6 @@
 // eyecore.Observer, Settings, Session and render.
 
 #include "api/engine.h"
-#include "base/error.h"
 #include "bind_values.h"
 #include "module.h"
 

@@ -1,9 +1,7 @@
 // eyecore.Wavefront.
 
-#include "base/error.h"
-#include "base/units.h"
+#include "api/eye.h"
 #include "module.h"
-#include "optics/population_wavefront.h"
 
 namespace eye_render {
 

@@ -1,12 +1,16 @@
-// One eye for the outside, in the user's units: what Python's Eye and the add-on's panels ask.
+// One eye for the outside, in the user's units: what Python's Eye and the add-on's panels ask,
+// with the units and the text of numbers that go with it.
 
 #pragma once
 
 #include "analysis/blur_ellipse.h"
+#include "base/error.h"
+#include "base/units.h"
 #include "eye/accommodation.h"
 #include "eye/eye_factory.h"
 #include "eye/pupil_pattern.h"
 #include "eye/pupil_size.h"
+#include "optics/population_wavefront.h"
 #include "optics/prescription.h"
 #include "optics/prescription_text.h"
 

@@ -166,7 +166,9 @@ private:
         // Where light passes through, lamps on both sides count.
         const V3f lit_side = bsdf.transmits() ? V3f(0.0f) : hit.point.ng;
         scene_.weigh_lights(hit.p_world, lit_side, here_->point);
-        const auto light = scene_.sample_light(here_->point, u[2], V2f(u[0], u[1]));
+        // A float's 24 bits are too few to choose among many lights.
+        const double choice = u[2] + 0x1p-24 * static_cast<double>(u[3]);
+        const auto light = scene_.sample_light(here_->point, choice, V2f(u[0], u[1]));
         if (!light) {
             return;
         }
