@@ -29,7 +29,7 @@ namespace eye_render {
                                                            double pupil_diameter_m,
                                                            const Wavefront& wavefront);
 
-// The eye behind a lens.
+// The eye behind a lens. Throws std::invalid_argument for a lens with numbers out of range.
 [[nodiscard]] std::unique_ptr<EyeModel> make_corrected_eye(std::unique_ptr<const EyeModel> eye,
                                                            const WornLens& lens);
 

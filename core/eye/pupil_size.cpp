@@ -112,7 +112,7 @@ PupilSize pupil_size(PupilFormula formula, const PupilConditions& conditions)
 {
     if (!(conditions.area_deg2 > 0.0) || std::isinf(conditions.area_deg2)) {
         throw std::invalid_argument("area_deg2 is " + number_text(conditions.area_deg2) +
-                                    " deg2; expected more than 0 deg2");
+                                    " deg2; expected more than 0 deg2, and finite");
     }
     if (conditions.eyes != 1 && conditions.eyes != 2) {
         throw std::invalid_argument("eyes is " + std::to_string(conditions.eyes) +

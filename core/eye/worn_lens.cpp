@@ -74,6 +74,26 @@ private:
     WornLens lens_;
 };
 
+// Throws std::invalid_argument for a lens that neither glasses() nor contact_lens() can have made.
+void require_valid(const WornLens& lens)
+{
+    constexpr double max_distance_m = max_vertex_m + cornea_to_entrance_pupil_m;
+    // The matrix of the strongest prescription may be stronger by a rounding.
+    constexpr double rounded_up = 1.0 + 1e-12;
+    constexpr double max_mean_d = rounded_up * (max_sphere_d + 0.5 * max_cylinder_d);
+    constexpr double max_prism_slope = rounded_up * 0.01 * max_prism_pd;
+    require_range("distance of the worn lens", mm_from_m(lens.distance_m), 0.0,
+                  mm_from_m(max_distance_m), "mm");
+    require_range("mean sphere of the worn lens", lens.power_d.mean_d(), -max_mean_d, max_mean_d,
+                  "D");
+    require_range("cylinder of the worn lens", 2.0 * lens.power_d.astigmatism_d(), 0.0,
+                  rounded_up * max_cylinder_d, "D");
+    for (const double slope : {lens.prism_slope.x, lens.prism_slope.y}) {
+        require_range("prism slope of the worn lens", slope, -max_prism_slope, max_prism_slope,
+                      "");
+    }
+}
+
 }  // namespace
 
 WornLens glasses(const Prescription& rx, double vertex_m)
@@ -107,6 +127,7 @@ WornLens contact_lens(const Prescription& rx)
 std::unique_ptr<EyeModel> make_corrected_eye(std::unique_ptr<const EyeModel> eye,
                                              const WornLens& lens)
 {
+    require_valid(lens);
     return std::make_unique<CorrectedEye>(std::move(eye), lens);
 }
 

@@ -123,8 +123,7 @@ PowerMatrix moved_toward_eye(const PowerMatrix& power, double distance_m)
             throw std::invalid_argument(
                 "a lens of " + number_text(principal_d) + " D cannot be referred to a plane " +
                 number_text(mm_from_m(distance_m)) +
-                " mm nearer to the eye, at or behind its own focus; "
-                "expected at " +
+                " mm nearer to the eye, at or behind its own focus; expected at " +
                 (distance_m < 0.0 ? "least " : "most ") +
                 number_text((1.0 - nearest_focus_fraction) / distance_m) + " D");
         }

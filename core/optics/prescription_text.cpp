@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <initializer_list>
 #include <vector>
 
@@ -72,6 +73,14 @@ public:
             take_word({"d", "ds", "dpt"});
         }
         take_prisms(rx);
+        for (const double sum_pd : {rx.base_in_pd, rx.base_up_pd}) {
+            if (std::abs(sum_pd) > max_prism_pd) {
+                throw PrescriptionError(PrescriptionErrorCode::PowerRange,
+                                        "prism is " + number_text(std::abs(sum_pd)) +
+                                            " prism dioptres in all; expected 0 to " +
+                                            number_text(max_prism_pd) + " prism dioptres");
+            }
+        }
         if (take_closing(open_brackets) < open_brackets) {
             fail_syntax("a bracket is not closed");
         }
