@@ -64,8 +64,8 @@ testing::AssertionResult is_proper_refusal(const std::string& text)
 {
     static const std::string number = R"((?:-?\d+(?:\.\d+)?(?:e[+-]\d+)?|-?nan|-?inf))";
     static const std::regex sentence("[A-Za-z][\\w ]* (?:is|of) " + number +
-                                     "((?: [A-Za-z][\\w/]*)?).*; expected .*" + number +
-                                     "\\1(?: in .*)?");
+                                     "((?: prism dioptres| [A-Za-z][\\w/]*)?).*; expected .*" +
+                                     number + "\\1(?: in .*)?");
     if (std::regex_match(text, sentence)) return testing::AssertionSuccess();
     return testing::AssertionFailure()
            << "'" << text << "' lacks a name, a value, a unit or what is expected";
