@@ -50,8 +50,10 @@ public:
 // The mean sphere is made by the length of the vitreous body, the cylinder by a biconic anterior
 // cornea (each of its radii solved for its meridian), accommodation by the publication's own
 // parameter with the axial length kept; all to first order but for RefractionZero::MinimumRmsSpot,
-// which counts in the mean sphere. The pupil is a round entrance pupil as seen from far away on
-// the axis, and the stop is what makes it so by real rays at 555 nm.
+// which counts in the mean sphere, in retinal_conjugate_d(), too. Accommodation takes the entrance
+// pupil towards the cornea, so the cylinder seen from there becomes a few per cent smaller. The
+// pupil is a round entrance pupil as seen from far away on the axis, and the stop is what makes it
+// so by real rays at 555 nm.
 //
 // Throws std::invalid_argument when no such eye exists.
 [[nodiscard]] std::unique_ptr<SchematicEye> make_schematic_eye(const SchematicSpec& spec);
