@@ -21,7 +21,7 @@ MODELS = (
     ("paper", "the eye of Wang & Xiao 2013", "PAPER"),
     ("paraxial", "the exact first-order eye", "WATSON_YELLOTT"),
 )
-SIZE_PX, SAMPLES = 256, 32
+SIZE_PX, SAMPLES = 256, 48
 RINGS = 8  # of Fig. 13's pattern: DistantFactor = AngleFactor
 
 
@@ -42,7 +42,7 @@ class View:
 class Figure:
     title: str
     views: list[View]
-    scene: str = "hall"  # or "lines"
+    scene: str = "hall"  # or a target of make_target.py
     samples: int | None = None  # where the experiment prescribes them
 
 
@@ -56,7 +56,7 @@ def _lines(rx: str) -> View:
 
 
 def _pattern(name: str, pattern: str) -> View:
-    return View(name, "-4.50DS", pattern=pattern)
+    return View(name, "-6.00DS", pupil_mm=6.0, pattern=pattern)
 
 
 FIGURES = {
@@ -74,36 +74,37 @@ FIGURES = {
         scene="lines",
     ),
     12: Figure(
-        "Fig. 12: automatic pupil. The eye looks at the chart at 0.4 m; exposure adapted",
+        "Fig. 12: automatic pupil, looking at 0.4 m, exposure adapted",
         [
             _in_light("sunlight", cd_m2_per_unit=20000.0),
             _in_light("candlelight", cd_m2_per_unit=0.5, daylight=False),
         ],
     ),
     13: Figure(
-        f"Fig. 13: pupil patterns of {RINGS} x {RINGS} points. -4.50 DS, relaxed, pupil 4 mm",
+        f"Fig. 13: pupil patterns of {RINGS} x {RINGS} points. -6.00 DS, relaxed, pupil 6 mm",
         [
             _pattern("even (grid)", "GRID"),
             _pattern("circinate", "CIRCINATE"),
             _pattern("Sobol", "SOBOL"),
         ],
+        scene="lamps",
         samples=RINGS**2,
     ),
 }
 
 
-def make_line_target() -> Path:
-    scene = BUILD / "figures/lines.blend"
-    script = HERE / "line_target.py"
+def make_target(name: str) -> Path:
+    scene = BUILD / f"figures/{name}.blend"
+    script = HERE / "make_target.py"
     if not is_newer(scene, [script]):
         scene.parent.mkdir(parents=True, exist_ok=True)
-        run_blender("--python", str(script), "--", str(scene))
+        run_blender("--python", str(script), "--", str(scene), name)
     return scene
 
 
 def render_panels(figure: Figure, folder: Path, size_px: int, samples: int) -> dict:
     """The pictures of each model, in the order of the views."""
-    scene = make_hall("principled") if figure.scene == "hall" else make_line_target()
+    scene = make_hall("principled") if figure.scene == "hall" else make_target(figure.scene)
     jobs, pictures = [], {}
     for model, _, formula in MODELS:
         names = [f"{model}_{number}" for number in range(len(figure.views))]
@@ -150,7 +151,7 @@ def make_figure(number: int, size_px: int, samples: int, out: Path) -> Path:
         ]
         rows.append(Row(panels, title))
     sheet = out / f"fig{number:02d}.png"
-    make_sheet(sheet, rows, size_px, max(10, size_px // 20), figure.title)
+    make_sheet(sheet, rows, size_px, max(10, size_px // 18), figure.title)
     return sheet
 
 

@@ -14,7 +14,7 @@ from pathlib import Path
 
 import bpy
 
-BOUNCES = 4
+BOUNCES = 2  # enough for the glass ball; more would only add noise that takes samples to go
 
 
 def set_observer(camera: bpy.types.Camera, view: dict) -> None:

@@ -1,7 +1,9 @@
-"""Builds the target for astigmatism and saves it: black lines on white, as many horizontal as
-vertical ones, alike under a quarter turn. Runs inside Blender:
+"""Builds a target that glows evenly and saves it. Runs inside Blender:
 
-blender -b --factory-startup --python line_target.py -- FILE.blend
+blender -b --factory-startup --python make_target.py -- FILE.blend lines|lamps
+
+lines: black ones on white, as many horizontal as vertical, alike under a quarter turn.
+lamps: four small ones and a letter on black.
 """
 
 import math
@@ -14,14 +16,21 @@ FIELD_DEG = 16.0
 CARD_ARCMIN = 840
 LINES = 7  # in each quarter of the card
 LINE_ARCMIN = 24  # as wide as the gap to the next
+LAMP_ARCMIN = 8
+LETTER_ARCMIN = 200
 
 
-def main(path: str) -> None:
+def main(path: str, target: str) -> None:
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
     scene.world = bpy.data.worlds.new("dark")
-    _rectangles("card", 0.8, DISTANCE_M, [(0, 0, CARD_ARCMIN / 2, CARD_ARCMIN / 2)])
-    _rectangles("lines", 0.02, DISTANCE_M - 0.01, list(_lines()))
+    scene.world.color = (0, 0, 0)
+    if target == "lines":
+        _rectangles("card", 0.8, DISTANCE_M, [(0, 0, CARD_ARCMIN / 2, CARD_ARCMIN / 2)])
+        _rectangles("lines", 0.02, DISTANCE_M - 0.01, list(_lines()))
+    else:
+        _rectangles("lamps", 30.0, DISTANCE_M, list(_lamps()))
+        _rectangles("letter", 0.8, DISTANCE_M, list(_letter()))
     camera = bpy.data.objects.new("eye", bpy.data.cameras.new("eye"))
     camera.data.angle = math.radians(FIELD_DEG)
     camera.rotation_euler = (math.pi / 2, 0, 0)  # looks along +y
@@ -43,6 +52,21 @@ def _lines():
                     yield right * centre + across, up * centre, LINE_ARCMIN / 2, half_length
                 else:
                     yield right * centre, up * centre + across, half_length, LINE_ARCMIN / 2
+
+
+def _lamps():
+    for right in (-1, 1):
+        for up in (-1, 1):
+            x, y = right * CARD_ARCMIN * 0.35, up * CARD_ARCMIN * 0.35
+            yield x, y, LAMP_ARCMIN / 2, LAMP_ARCMIN / 2
+
+
+def _letter():
+    """An E of strokes and gaps of a fifth of its height."""
+    stroke = LETTER_ARCMIN / 5
+    yield -2 * stroke, 0, stroke / 2, LETTER_ARCMIN / 2
+    for up in (-2, 0, 2):
+        yield stroke / 2, up * stroke, 2 * stroke, stroke / 2
 
 
 def _rectangles(name: str, radiance: float, distance_m: float, rectangles: list) -> None:
