@@ -82,6 +82,7 @@ void bind_eye(py::module_& m)
 
     m.attr("EYE_MODELS") = names_of(eye_model_kinds);
     m.attr("REFRACTION_ZEROS") = names_of(refraction_zeros);
+    m.attr("AMPLITUDE_FORMULAS") = names_of(amplitude_formulas);
     m.attr("PUPIL_FORMULAS") = names_of(pupil_formulas);
     m.attr("PUPIL_PATTERNS") = names_of(pupil_pattern_kinds);
 
@@ -131,8 +132,11 @@ void bind_eye(py::module_& m)
         "1e6 cd/m2 and age as 20 to 83 years. ValueError for a negative luminance.");
     m.def(
         "accommodation_amplitude_d",
-        [](double age_years) { return accommodation_amplitude_d(age_years); }, "age_years"_a,
-        "Hofstetter's mean amplitude.");
+        [](double age_years, const std::string& formula) {
+            return accommodation_amplitude_d(age_years,
+                                             named_of("formula", formula, amplitude_formulas));
+        },
+        "age_years"_a, "formula"_a = "HOFSTETTER_MEAN", "One of AMPLITUDE_FORMULAS.");
 }
 
 }  // namespace eye_render

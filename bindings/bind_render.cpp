@@ -31,9 +31,12 @@ Observer make_observer(const std::string& model,
                        bool near_part,
                        const std::optional<Wavefront>& wavefront,
                        const std::string& refraction_zero,
-                       bool exact_trace)
+                       bool exact_trace,
+                       const std::string& amplitude_formula)
 {
     Observer observer;
+    observer.amplitude_formula =
+        named_of("amplitude_formula", amplitude_formula, amplitude_formulas);
     observer.eye = eye_from_python(model, rx, rx_plane, vertex_mm, correction, worn, near_part,
                                    wavefront, refraction_zero, exact_trace);
     observer.age_years = age_years;
@@ -202,7 +205,7 @@ void bind_render(py::module_& m)
              "luminance_sigma"_a = 0.5, "field_area_deg2"_a = py::none(), "eyes"_a = 2,
              "focus"_a = "relaxed", "correction"_a = "none", "worn"_a = py::none(),
              "near_part"_a = false, "wavefront"_a = py::none(), "refraction_zero"_a = "paraxial",
-             "exact_trace"_a = false,
+             "exact_trace"_a = false, "amplitude_formula"_a = "HOFSTETTER_MEAN",
              "pupil: 'auto' or mm. field_area_deg2: what an automatic pupil adapts to, None for\n"
              "the picture's; eyes: how many see it. focus: 'relaxed', 'center' or metres.\n"
              "correction: 'none', 'glasses' or 'contacts', made to `worn`, by default the eye's "

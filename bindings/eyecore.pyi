@@ -15,6 +15,7 @@ __version__: str
 PASSES: list[tuple[str, int, str]]  # name, channels, channel names
 EYE_MODELS: list[str]
 REFRACTION_ZEROS: list[str]
+AMPLITUDE_FORMULAS: list[str]
 PUPIL_FORMULAS: list[str]
 PUPIL_PATTERNS: list[str]
 
@@ -167,7 +168,9 @@ def pupil_diameter_mm(
     age_years: float = 30.0,
     eyes: int = 2,
 ) -> float: ...
-def accommodation_amplitude_d(age_years: float) -> float: ...
+def accommodation_amplitude_d(
+    age_years: float, formula: str = "HOFSTETTER_MEAN"
+) -> float: ...
 
 class ClearRange:
     @property
@@ -294,6 +297,7 @@ class Observer:
         wavefront: Wavefront | None = None,
         refraction_zero: str = "paraxial",
         exact_trace: bool = False,
+        amplitude_formula: str = "HOFSTETTER_MEAN",
     ) -> None: ...
 
 class Settings:

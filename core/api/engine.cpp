@@ -23,6 +23,17 @@ std::string range_text(const SampleRange& range)
     return std::to_string(range.first) + ":" + std::to_string(range.last);
 }
 
+// "6 mm, 555 nm: 0 0 0 0.1 ...", micrometres in OSA order.
+std::string wavefront_text(const Wavefront& wavefront)
+{
+    std::string text = number_text(mm_from_m(wavefront.pupil_diameter_m)) + " mm, " +
+                       number_text(wavefront.wavelength_nm) + " nm:";
+    for (const double coefficient_um : wavefront.coefficients_um) {
+        text += ' ' + number_text(coefficient_um);
+    }
+    return text;
+}
+
 SampleRange samples_of(const RenderSettings& settings)
 {
     return settings.range.value_or(SampleRange{.first = 0, .last = settings.samples});
@@ -154,6 +165,7 @@ std::map<std::string, std::string> Engine::metadata() const
         {"pupil_mm", number_text(eye_.pupil_mm)},
         {"accommodation_d", number_text(eye_.accommodation_d)},
         {"age_years", number_text(observer_.age_years)},
+        {"amplitude_formula", std::string(to_string(observer_.amplitude_formula))},
         {"samples", range_text(samples_of(settings_))},
         {"seed", std::to_string(settings_.seed)},
         {"max_bounces", std::to_string(settings_.max_bounces)},
@@ -180,6 +192,10 @@ std::map<std::string, std::string> Engine::metadata() const
         entries["refraction_zero"] = to_string(observer_.eye.refraction_zero);
         entries["exact_trace"] = observer_.eye.exact_trace ? "yes" : "no";
         entries["fit_residual_arcmin"] = number_text(eye_.model->approximation_arcmin());
+    }
+    if (observer_.eye.model == EyeModelKind::Wavefront) {
+        entries["wavefront"] =
+            observer_.eye.wavefront ? wavefront_text(*observer_.eye.wavefront) : "population mean";
     }
     if (observer_.eye.correction != Correction::None) {
         entries["correction"] = to_string(observer_.eye.correction);

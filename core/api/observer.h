@@ -24,6 +24,7 @@ struct Observer {
     // is the mean of healthy eyes.
     EyeDescription eye{};
     double age_years = 30.0;
+    AmplitudeFormula amplitude_formula = AmplitudeFormula::HofstetterMean;
     std::optional<double> pupil_mm;  // nothing: from the light of the scene
     PupilFormula pupil_formula = PupilFormula::WatsonYellott;
     double cd_m2_per_unit = 179.0;  // luminance of radiance 1 in all channels

@@ -48,7 +48,8 @@ void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& rel
         return;
     }
     const PowerMatrix error_d = relaxed_eye.error_d(1.0 / eye.focus_distance_m);
-    const double amplitude_d = accommodation_amplitude_d(observer.age_years);
+    const double amplitude_d =
+        accommodation_amplitude_d(observer.age_years, observer.amplitude_formula);
     const double wanted_d = -error_d.mean_d();
     eye.accommodation_d = best_accommodation_d(error_d, amplitude_d);
     const std::string object = std::isfinite(eye.focus_distance_m)

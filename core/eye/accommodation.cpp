@@ -23,6 +23,17 @@ double unclamped_amplitude_d(double age_years, AmplitudeFormula formula)
 
 }  // namespace
 
+std::string_view to_string(AmplitudeFormula formula)
+{
+    switch (formula) {
+    case AmplitudeFormula::HofstetterMinimum: return "HOFSTETTER_MINIMUM";
+    case AmplitudeFormula::HofstetterMean: return "HOFSTETTER_MEAN";
+    case AmplitudeFormula::HofstetterMaximum: return "HOFSTETTER_MAXIMUM";
+    case AmplitudeFormula::Anderson: return "ANDERSON";
+    }
+    return "";
+}
+
 double accommodation_amplitude_d(double age_years, AmplitudeFormula formula)
 {
     require_range("age_years", age_years, 0.0, 120.0, "years");

@@ -7,6 +7,9 @@
 
 #include "optics/power_matrix.h"
 
+#include <array>
+#include <string_view>
+
 namespace eye_render {
 
 enum class AmplitudeFormula {
@@ -15,6 +18,13 @@ enum class AmplitudeFormula {
     HofstetterMaximum,  // 25 - 0.40 age
     Anderson,           // 2008: objective, 7.33 - 0.0035 (age - 3)^2, measured from 3 to 40 years
 };
+
+inline constexpr std::array amplitude_formulas{
+    AmplitudeFormula::HofstetterMean, AmplitudeFormula::HofstetterMinimum,
+    AmplitudeFormula::HofstetterMaximum, AmplitudeFormula::Anderson};
+
+// "HOFSTETTER_MEAN", "HOFSTETTER_MINIMUM", "HOFSTETTER_MAXIMUM", "ANDERSON".
+[[nodiscard]] std::string_view to_string(AmplitudeFormula formula);
 
 // Never negative: 0 once the formula has run out, near 60 (Anderson: 48.8) years. Ages below 3
 // count as 3. Throws std::invalid_argument unless the age is 0 to 120.
