@@ -73,6 +73,13 @@ FOCUS_MODES = [
     ("CENTER", "Image Centre", "The eye looks at what lies in the middle of the picture", 2),
 ]
 
+AMPLITUDE_FORMULAS = [
+    ("HOFSTETTER_MEAN", "Hofstetter, Mean", "Hofstetter 1950, what people of an age have", 0),
+    ("HOFSTETTER_MINIMUM", "Hofstetter, Least", "Hofstetter 1950, what all of an age have", 1),
+    ("HOFSTETTER_MAXIMUM", "Hofstetter, Most", "Hofstetter 1950, what few of an age have", 2),
+    ("ANDERSON", "Anderson et al. 2008", "Measured without asking; less, and none from 49", 3),
+]
+
 PUPIL_PATTERNS = [
     ("SOBOL", "Sobol", "Low-discrepancy points, evenly spread over the pupil", 0),
     ("CIRCINATE", "Circinate", "The rings of points of Wang & Xiao 2013", 1),

@@ -32,6 +32,7 @@ def make_observer(
         return eyecore.Observer(
             **eye_arguments(settings, overrides, eye),
             age_years=age_years(settings, overrides),
+            amplitude_formula=settings.amplitude_formula,
             pupil=pupil,
             pupil_formula=settings.pupil_formula,
             cd_m2_per_unit=scene_settings.cd_m2_per_unit,

@@ -139,6 +139,12 @@ class EyeRenderObserver(PropertyGroup):
         items=choices.FOCUS_MODES,
         default="RELAXED",
     )
+    amplitude_formula: EnumProperty(
+        name="Amplitude",
+        description="Published formula that gives the accommodation left at an age",
+        items=choices.AMPLITUDE_FORMULAS,
+        default="HOFSTETTER_MEAN",
+    )
     model: EnumProperty(
         name="Eye Model",
         description="How the eye turns a point of its pupil into a ray",

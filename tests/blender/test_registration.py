@@ -49,6 +49,8 @@ def test_the_add_on_is_enabled_under_its_name():
 def test_every_choice_is_one_the_core_knows():
     assert [item[0].lower() for item in choices.EYE_MODELS] == list(core.module.EYE_MODELS)
     assert [item[0] for item in choices.PUPIL_FORMULAS] == list(core.module.PUPIL_FORMULAS)
+    amplitudes = [item[0] for item in choices.AMPLITUDE_FORMULAS]
+    assert amplitudes == list(core.module.AMPLITUDE_FORMULAS)
     zeros = [item[0].lower() for item in choices.REFRACTION_ZEROS]
     assert zeros == list(core.module.REFRACTION_ZEROS)
     assert [item[0] for item in choices.PUPIL_PATTERNS] == list(core.module.PUPIL_PATTERNS)

@@ -61,3 +61,8 @@ def test_what_only_a_render_finds_is_said(scene, observer, render):
 def test_what_is_wrong_is_said_in_the_line(scene, observer):
     observer.right.text = "-2.00 -0.75"
     assert line(scene).startswith("Blur: Prescription of the right eye: the cylinder -0.75 needs")
+
+
+def test_the_near_point_is_as_far_as_the_formula_for_the_amplitude_allows(scene, observer):
+    observer.amplitude_formula = "ANDERSON"  # nothing is left at 60 years
+    assert "far point 0.52 m, near point 0.52 m" in line(scene)

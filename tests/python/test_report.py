@@ -122,12 +122,13 @@ def test_a_subject_is_what_a_session_found() -> None:
         "pupil_mm": "3.5",
         "accommodation_d": "0.5",
         "age_years": "30",
+        "amplitude_formula": "ANDERSON",
         "focus_m": "0.4",
         "samples": "64",
     }
     about = report.subject_of(observer, metadata)
     assert about.eye.pupil_mm == 3.5
     assert about.eye.far_point_m == pytest.approx(0.4)
-    assert about.amplitude_d == eyecore.accommodation_amplitude_d(30)
+    assert about.amplitude_d == eyecore.accommodation_amplitude_d(30, "ANDERSON")
     assert about.description == {"rx": "-2.00DS", "age_years": 30.0, "focus_m": 0.4}
     assert report.distances_of(about) == [0.4, 1.0, 6.0, math.inf]

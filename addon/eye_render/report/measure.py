@@ -40,7 +40,9 @@ def subject_of(observer: eyecore.Observer, metadata: Mapping[str, str]) -> Subje
     return Subject(
         eye_at=partial(eyecore.observer_eye, observer, float(metadata["pupil_mm"])),
         accommodation_d=float(metadata["accommodation_d"]),
-        amplitude_d=eyecore.accommodation_amplitude_d(float(metadata["age_years"])),
+        amplitude_d=eyecore.accommodation_amplitude_d(
+            float(metadata["age_years"]), metadata["amplitude_formula"]
+        ),
         description=description,
     )
 

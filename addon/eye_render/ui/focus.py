@@ -23,8 +23,11 @@ class _Focus:
             row = column.row()
             row.active = target is None
             row.prop(camera.dof, "focus_distance")
+        column.prop(observer, "amplitude_formula")
         if core.module is not None:
-            amplitude_d = core.module.accommodation_amplitude_d(observer.age)
+            amplitude_d = core.module.accommodation_amplitude_d(
+                observer.age, observer.amplitude_formula
+            )
             column.label(text=f"Accommodation up to {amplitude_d:.1f} D at this age")
             shown = self.camera_object(context)
             if shown is not None:
