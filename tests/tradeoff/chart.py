@@ -7,6 +7,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import LogLocator, NullFormatter, StrMethodFormatter  # noqa: E402
 from points import Point, line_of, pareto_front  # noqa: E402
 from reading import Setting  # noqa: E402
 
@@ -29,12 +30,16 @@ def draw_chart(points: list[Point], setting: Setting, path: Path) -> None:
     for row, (error, error_name) in zip(axes, ERRORS.items(), strict=True):
         _draw_patterns(row[0], points, error)
         _draw_models(row[1], points, error)
+        same_truth = [p for p in points if p.reference == "paraxial"]
+        _mark_front(row[0], [p for p in same_truth if p.model != "pinhole"], error)
+        _mark_front(row[1], [p for p in same_truth if p.pattern == "SOBOL"], error)
         for axis in row:
-            _mark_front(axis, [p for p in points if p.reference == "paraxial"], error)
-            _mark_floor(axis, setting, error)
             axis.set_xscale("log")
             axis.set_yscale("log")
-            axis.legend(fontsize=12, loc="lower left")
+            axis.yaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+            axis.yaxis.set_major_formatter(StrMethodFormatter("{x:g}"))
+            axis.yaxis.set_minor_formatter(NullFormatter())
+            axis.legend(fontsize=12, loc="upper right")
         row[0].set_ylabel(f"{error_name} against the converged picture")
     axes[0, 0].set_title("Pupil patterns: solid the exact eye, dashed the paper's")
     axes[0, 1].set_title("Eye models, each with the Sobol pattern")
@@ -92,10 +97,5 @@ def _mark_front(axis, points: list[Point], error: str) -> None:
         edgecolors="black",
         linewidths=1.5,
         zorder=5,
-        label="Pareto front (exact, paper, pinhole)",
+        label="Pareto front",
     )
-
-
-def _mark_floor(axis, setting: Setting, error: str) -> None:
-    noise = setting.reference_rmse if error == "rmse" else setting.reference_flip
-    axis.axhline(noise, color="grey", linestyle=":", label="noise of the converged picture")

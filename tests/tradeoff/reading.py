@@ -7,6 +7,7 @@ from pathlib import Path
 from points import Point, line_of, pareto_front, slope, time_to_reach
 
 EXACT = "paraxial"
+CHANCE = 0.1  # by how much points differ that two seeds cannot tell apart
 FEW_SAMPLES = 16  # from here on, a render's fixed costs no longer count in its time
 
 
@@ -55,7 +56,11 @@ converged picture ({setting.reference_samples} samples, other seeds; its own noi
 {setting.reference_rmse:.4f}, FLIP {setting.reference_flip:.4f}) of the exact eye: of `paraxial` \
 an error is noise; of `paper` and `pinhole` it is noise and bias, since they approximate that \
 eye. The other models are eyes of their own, and their error is the noise against their own \
-converged pictures."""
+converged pictures. Differences below {CHANCE:.0%} may be chance."""
+
+
+def _seconds(seconds: float) -> str:
+    return f"{seconds:.0f}" if seconds >= 100 else f"{seconds:.3g}"
 
 
 def _table(head: list[str], rows: list[list[str]]) -> str:
@@ -65,13 +70,13 @@ def _table(head: list[str], rows: list[list[str]]) -> str:
 
 def _presets(points: list[Point], setting: Setting) -> str:
     rows = [
-        [str(p.samples), f"{p.cpu_s_per_mpx:.3g}", f"{p.rmse:.4f}", f"{p.flip:.4f}"]
+        [str(p.samples), _seconds(p.cpu_s_per_mpx), f"{p.rmse:.4f}", f"{p.flip:.4f}"]
         for p in line_of(points, EXACT, "SOBOL")
     ]
     rows.append(
         [
             str(setting.reference_samples),
-            f"{setting.reference_cpu_s_per_mpx:.3g}",
+            _seconds(setting.reference_cpu_s_per_mpx),
             f"{setting.reference_rmse:.4f}",
             f"{setting.reference_flip:.4f}",
         ]
@@ -110,16 +115,21 @@ def _targets(line: list[Point]) -> list[float]:
 
 def _first_to_reach(lines: dict[str, list[Point]], target: float) -> str:
     times = {pattern: time_to_reach(line, target) for pattern, line in lines.items()}
-    reached = sorted((time, pattern) for pattern, time in times.items() if time is not None)
+    reached = sorted(
+        (time, pattern.lower()) for pattern, time in times.items() if time is not None
+    )
     never = [pattern.lower() for pattern, time in times.items() if time is None]
-    first_time, first = reached[0]
-    sentence = f"* RMSE {target:.4f} is reached first by {first.lower()} ({first_time:.3g} s)"
-    others = [
-        f"{pattern.lower()} takes {time / first_time:.2f} times that"
-        for time, pattern in reached[1:]
+    first_time = reached[0][0]
+    first = [pattern for time, pattern in reached if time < first_time * (1 + CHANCE)]
+    later = [
+        f"; {pattern} takes {time / first_time:.2f} times as long"
+        for time, pattern in reached[len(first) :]
     ]
-    sentence += "".join(f"; {other}" for other in others)
-    return sentence + (f"; {' and '.join(never)} not at all." if never else ".")
+    return (
+        f"* RMSE {target:.3f} is reached first by {', '.join(first)} ({_seconds(first_time)} s)"
+        + "".join(later)
+        + (f"; {', '.join(never)} does not reach it." if never else ".")
+    )
 
 
 def _circinate(points: list[Point]) -> str:
@@ -165,26 +175,22 @@ def _models(points: list[Point]) -> str:
 
 
 def _paper(points: list[Point]) -> str:
-    exact = line_of(points, EXACT, "SOBOL")
+    exact = line_of(points, EXACT, "SOBOL")[-1]
     paper = line_of(points, "paper", "SOBOL")[-1]
-    if paper.rmse_bias < 0.5 * exact[-1].rmse:
-        return (
-            "For this prescription the paper's astigmatism is hidden in the noise of all samples."
-        )
-    overtaken = next((p.samples for p in exact if p.rmse < paper.rmse_bias), None)
-    if overtaken is None:
-        return f"The paper's astigmatism is a bias of RMSE {paper.rmse_bias:.4f}, less than noise."
+    if paper.rmse_bias < 2 * exact.rmse_bias:
+        return "No bias of the paper's astigmatism is found: noise hides it at all these samples."
+    # Noise falls with the square root of the samples.
+    equal = exact.samples * (exact.rmse / paper.rmse_bias) ** 2
     return (
-        f"The paper's astigmatism is a bias of RMSE {paper.rmse_bias:.4f}: from {overtaken} "
-        "samples on, the exact eye's noise is less than that, and more samples for the paper's "
-        "eye are spent on a picture that stays wrong."
+        f"The paper's astigmatism is a bias of RMSE {paper.rmse_bias:.4f}. The exact eye's noise "
+        f"is less than that from about {equal:.0f} samples on; with fewer, noise hides it."
     )
 
 
 def _front(points: list[Point]) -> str:
     front = pareto_front([p for p in points if p.reference == EXACT])
     rows = [
-        [p.model, p.pattern.lower(), str(p.samples), f"{p.cpu_s_per_mpx:.3g}", f"{p.rmse:.4f}"]
+        [p.model, p.pattern.lower(), str(p.samples), _seconds(p.cpu_s_per_mpx), f"{p.rmse:.4f}"]
         for p in front
     ]
     return "## Pareto front (of what approximates the exact eye, by RMSE)\n\n" + _table(
