@@ -157,6 +157,33 @@ TEST_P(Agreement, lenses_to_the_eyes_own_prescription_make_it_an_emmetrope)
     EXPECT_GT(compared, trials_of(GetParam()) / 4);
 }
 
+// What the retinal conjugate means, for a ray by a micrometre from the axis.
+TEST_P(Agreement, rays_next_to_the_axis_come_from_the_retinal_conjugate)
+{
+    Random random(19);
+    constexpr double beside_m = 1e-6;
+    // Aberrations of the third order and above, 1 um each over 4.5 mm, by Markov's inequality:
+    // less than 0.1 slopes times the square of 1 um / 4.5 mm. Far below 0.01 D of a micrometre.
+    constexpr double aberrations = 0.01 * beside_m;
+    for (int i = 0; i < trials_of(GetParam()); ++i) {
+        Trial trial = random.trial(GetParam());
+        trial.glasses = false;
+        trial.slope_x = trial.slope_y = 0.0;
+        trial.wavelength_nm = 555.0;
+        trial.zero = RefractionZero::Paraxial;
+        if (GetParam() == EyeModelKind::Paper) trial.cylinder_d = 0.0;  // its own is no matrix
+        const auto eye = made(trial);
+        if (!eye) continue;
+        const double angle_rad = random.uniform(0.0, 2.0 * pi);
+        const V2d p_m = V2d(std::cos(angle_rad), std::sin(angle_rad)) * beside_m;
+        const EyeRay ray = eye->ray(V2d(0.0), p_m, trial.wavelength_nm);
+        ASSERT_EQ(ray.fate, RayFate::Transmitted) << trial;
+        const V2d leaves_m(ray.origin_eye_m.x, ray.origin_eye_m.y);
+        EXPECT_LE((ray.slope + eye->retinal_conjugate_d() * leaves_m).length(), aberrations)
+            << trial;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(OfEveryEye,
                          Agreement,
                          testing::ValuesIn(eye_model_kinds),

@@ -4,8 +4,6 @@
 
 #include "steepness.h"
 
-#include "eye/models.h"
-
 #include <cmath>
 #include <vector>
 
@@ -47,17 +45,24 @@ protected:
     // The change of the ray against what it may be; whether both rays exist.
     bool check(const Step& step)
     {
+        const std::optional<double> changed = change(step);
+        if (!changed) return false;
+        const double bound = bound_of(step);
+        EXPECT_LE(*changed, bound) << step;
+        worst_ = std::max(worst_, *changed / bound);
+        return true;
+    }
+
+    // Of the ray, in radians; nothing unless both rays exist.
+    static std::optional<double> change(const Step& step)
+    {
         const auto before = made(step.from);
         const auto after = made(step.to);
-        if (!before || !after) return false;
+        if (!before || !after) return std::nullopt;
         const EyeRay a = ray_of(*before, step.from);
         const EyeRay b = ray_of(*after, step.to);
-        if (a.fate != RayFate::Transmitted || b.fate != RayFate::Transmitted) return false;
-        const double changed = angle_rad(a.slope, b.slope);
-        const double bound = bound_of(step);
-        EXPECT_LE(changed, bound) << step;
-        worst_ = std::max(worst_, changed / bound);
-        return true;
+        if (a.fate != RayFate::Transmitted || b.fate != RayFate::Transmitted) return std::nullopt;
+        return angle_rad(a.slope, b.slope);
     }
 
     double worst_ = 0.0;  // share of the bound
@@ -108,6 +113,36 @@ TEST_P(Continuity, small_steps_of_any_input_are_small_steps_of_the_ray)
     EXPECT_GT(compared, trials * 4);
     RecordProperty("compared", compared);
     RecordProperty("worst_share_of_bound", std::to_string(worst_));
+}
+
+// Steps over a sixteenth of the range are halved, each time to the half in which the ray changes
+// more, and so lead to a jump if there is one.
+TEST_P(Continuity, has_no_jump_anywhere_over_the_range_of_an_input)
+{
+    constexpr int pieces = 16;
+    constexpr int halvings = 30;
+    Random random(6);
+    int compared = 0;
+    for (int i = 0; i < (is_schematic(GetParam()) ? 3 : 10); ++i) {
+        const Trial trial = random.trial(GetParam());
+        for (const Input& input : all_inputs()) {
+            const double width = (input.maximum - input.minimum) / pieces;
+            for (int piece = 0; piece < pieces; ++piece) {
+                Step step{trial, trial, input};
+                step.from.*input.value = input.minimum + piece * width;
+                step.to.*input.value = input.minimum + (piece + 1) * width;
+                for (int halving = 0; halving < halvings; ++halving) {
+                    Trial middle = trial;
+                    middle.*input.value = 0.5 * (step.from.*input.value + step.to.*input.value);
+                    (change({step.from, middle, input}) > change({middle, step.to, input})
+                         ? step.to
+                         : step.from) = middle;
+                }
+                compared += check(step) ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(compared, pieces);
 }
 
 // Where equation 6 or 8, or a formula for the axis, has a pole or a branch, or may have one.
@@ -196,45 +231,6 @@ INSTANTIATE_TEST_SUITE_P(OfEveryEye,
                          Continuity,
                          testing::ValuesIn(eye_model_kinds),
                          [](const auto& eye) { return std::string(to_string(eye.param)); });
-
-// D < 0, a virtual object, is no accommodation that an eye can have, so the factory is passed by.
-TEST(PaperContinuity, crosses_from_a_near_object_through_infinity_to_a_virtual_one)
-{
-    const V2d p_m(2e-3, -1e-3);
-    const PowerMatrix rx =
-        power_matrix_camera({.sphere_d = 2.0, .cylinder_d = -3.0, .axis_deg = 20.0});
-    const auto slope = [&](double accommodation_d) {
-        return make_paper_eye(rx, accommodation_d, 4e-3, 17e-3)->ray({0.3, 0.1}, p_m, 555.0).slope;
-    };
-    for (const double size_d : {1e-3, 1e-9, 1e-300, 5e-324, 0.0}) {
-        EXPECT_NEAR((slope(size_d) - slope(-size_d)).length(), 2.0 * size_d * p_m.length(), 1e-15)
-            << size_d << " D";
-    }
-    EXPECT_NEAR((slope(-15.0) - slope(15.0)).length(), 30.0 * p_m.length(), 1e-14);
-}
-
-// Equation 8 has its pole at 1/d_eye. Up to nine tenths of it the eye exists, and its focus keeps
-// following the prescription; beyond it is refused.
-TEST(PaperContinuity, follows_the_prescription_until_the_lens_would_have_no_power)
-{
-    for (const double eye_length_mm : {31.0, 33.0, 36.0, 40.0}) {
-        const double last_d = 0.9 / (eye_length_mm * 1e-3);
-        Trial trial{.model = EyeModelKind::Paper,
-                    .eye_length_mm = eye_length_mm,
-                    .pupil_share = 1.0,
-                    .pupil_angle_deg = 30.0};
-        for (const double short_of_it_d : {1.0, 1e-3, 1e-9, 1e-12}) {
-            trial.sphere_d = last_d - short_of_it_d;
-            const auto eye = made(trial);
-            ASSERT_TRUE(eye) << trial;
-            const V2d slope = ray_of(*eye, trial).slope;
-            EXPECT_NEAR((slope - pupil_point_m(trial) * trial.sphere_d).length(), 0.0, 1e-14)
-                << trial;
-            trial.sphere_d = last_d + short_of_it_d;
-            EXPECT_FALSE(made(trial)) << trial;
-        }
-    }
-}
 
 }  // namespace
 }  // namespace eye_render::test
