@@ -33,10 +33,11 @@ def mean_square(a: np.ndarray, b: np.ndarray) -> float:
 
 def error_of(pictures: list[np.ndarray], halves: list[np.ndarray]) -> float:
     """Root mean square error of one such picture. The reference is the mean of two halves of
-    different seeds; its noise, a quarter of the square of their difference, is taken off."""
+    different seeds; its noise, a quarter of the square of their difference, is taken off. Where
+    nothing is left, 1e-6, which has a logarithm."""
     truth = np.mean(np.clip(halves, 0, 1), axis=0)
     error = float(np.mean([mean_square(picture, truth) for picture in pictures]))
-    return math.sqrt(max(0.0, error - mean_square(*halves) / 4))
+    return math.sqrt(max(1e-12, error - mean_square(*halves) / 4))
 
 
 def bias_of(pictures: list[np.ndarray], reference: list[np.ndarray]) -> float:

@@ -177,7 +177,7 @@ def _models(points: list[Point]) -> str:
 def _paper(points: list[Point]) -> str:
     exact = line_of(points, EXACT, "SOBOL")[-1]
     paper = line_of(points, "paper", "SOBOL")[-1]
-    if paper.rmse_bias < 2 * exact.rmse_bias:
+    if paper.rmse_bias <= 2 * exact.rmse_bias:
         return "No bias of the paper's astigmatism is found: noise hides it at all these samples."
     # Noise falls with the square root of the samples.
     equal = exact.samples * (exact.rmse / paper.rmse_bias) ** 2
