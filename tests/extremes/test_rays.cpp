@@ -4,6 +4,7 @@
 #include "trial.h"
 
 #include "analysis/blur_ellipse.h"
+#include "base/units.h"
 
 #include <cmath>
 
@@ -122,6 +123,42 @@ TEST_P(Rays, are_finite_or_lost_at_random)
             check_ray(*eye, trial, counts_);
         }
     }
+}
+
+// The eyes that trace by a fit, where they are fitted and beyond.
+TEST(SchematicRays, are_finite_or_lost_when_fitted_and_near_the_exact_ones)
+{
+    Random random(7);
+    Counts counts;
+    for (const EyeModelKind model : eye_model_kinds) {
+        if (!is_schematic(model)) continue;
+        for (int i = 0; i < 12; ++i) {
+            Trial exact = random.trial(model);
+            exact.zero = RefractionZero::Paraxial;
+            Trial fitted = exact;
+            fitted.exact_trace = false;
+            const auto exact_eye = made(exact);
+            const auto fitted_eye = made(fitted);
+            ASSERT_EQ(exact_eye == nullptr, fitted_eye == nullptr) << fitted;
+            if (!fitted_eye) continue;
+            ++counts.made;
+            // The eye has tried a share of the rays; a lens may magnify what it is wrong by.
+            const double fit_arcmin = 3.0 * fitted_eye->approximation_arcmin() + 1e-6;
+            for (int j = 0; j < 200; ++j) {
+                random.draw(fitted, ray_inputs);
+                check_ray(*fitted_eye, fitted, counts);
+                const EyeRay a = ray_of(*fitted_eye, fitted);
+                const EyeRay b = ray_of(*exact_eye, fitted);
+                if (a.fate != b.fate || a.fate != RayFate::Transmitted) continue;
+                EXPECT_LE(arcmin_from_rad((a.slope - b.slope).length()) /
+                              (1.0 + b.slope.length2()),
+                          fit_arcmin)
+                    << fitted;
+            }
+        }
+    }
+    EXPECT_GT(counts.made, 10);
+    EXPECT_GT(counts.transmitted, counts.rays / 3);
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryEye,
