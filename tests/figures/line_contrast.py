@@ -34,15 +34,14 @@ def line_contrast(luminance: np.ndarray) -> LineContrast:
     )
 
 
-def read_luminance(picture: Path) -> np.ndarray:
-    """Of a linear picture with values up to 1, in 255 steps."""
+def read_luminance(picture: Path, white: float = 1.0) -> np.ndarray:
+    """Of a linear picture, top row first, up to `white` in 255 steps."""
     with tempfile.TemporaryDirectory() as folder:
         gray = Path(folder) / "luminance.pgm"
-        channels = ["--ch", "R,G,B", "--chsum:weight=0.2126,0.7152,0.0722"]
-        subprocess.run(
-            ["oiiotool", str(picture), *channels, "-d", "uint8", "-o", str(gray)], check=True
-        )
+        command = ["oiiotool", str(picture), "--ch", "R,G,B", "--mulc", str(1 / white)]
+        command += ["--chsum:weight=0.2126,0.7152,0.0722", "-d", "uint8", "-o", str(gray)]
+        subprocess.run(command, check=True)
         kind, size, _, pixels = gray.read_bytes().split(b"\n", 3)
     width, height = map(int, size.split())
     assert kind == b"P5"
-    return np.frombuffer(pixels, np.uint8).reshape(height, width) / 255.0
+    return np.frombuffer(pixels, np.uint8).reshape(height, width) * (white / 255)
