@@ -17,8 +17,8 @@ namespace {
 
 class CorrectedEye final : public EyeModel {
 public:
-    CorrectedEye(std::unique_ptr<const EyeModel> eye, const WornLens& lens)
-        : eye_(std::move(eye)), lens_(lens)
+    CorrectedEye(std::unique_ptr<const EyeModel> eye, WornLens lens)
+        : eye_(std::move(eye)), lens_(std::move(lens))
     {
     }
 
