@@ -110,6 +110,8 @@ void bind_eye(py::module_& m)
             [](const EyeModel& eye) { return distance_m(eye.retinal_conjugate_d().mean_d()); },
             "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"
             "behind the eye of a hyperope.")
+        .def_property_readonly("max_accommodation_d", &EyeModel::max_accommodation_d,
+                               "The most that the model has, whatever the age allows.")
         .def("__repr__", &eye_text)
         .def_property_readonly("retinal_conjugate_d", [](const EyeModel& eye) {
             const PowerMatrix k = eye.retinal_conjugate_d();

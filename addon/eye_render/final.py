@@ -125,6 +125,8 @@ def _render_view(
         if overrides.report is not None:
             _say(reporting.write_of_picture(overrides.report, observer, metadata, view_name))
         _show_until_finished(engine, depsgraph, session, frame, view_name)
+        if session.lost_rays:
+            _say(session.lost_rays)
     return pupil
 
 

@@ -72,6 +72,17 @@ class RenderSession:
     def metadata(self) -> dict[str, str]:
         return self._core.metadata
 
+    @property
+    def lost_rays(self) -> str:
+        """Which rays the eye did not let through, in words; empty if it lost none."""
+        fates = self._core.ray_fates
+        lost = {fate: count for fate, count in fates.items() if count and fate != "transmitted"}
+        if not lost:
+            return ""
+        share = 100.0 * sum(lost.values()) / sum(fates.values())
+        reasons = ", ".join(f"{fate.replace('_', ' ')} {count}" for fate, count in lost.items())
+        return f"{share:.2g} % of the rays are lost in the eye: {reasons}"
+
     def wait(self, timeout_s: float) -> bool:
         """True when the render has finished; EyeRenderError if it failed."""
         is_finished = self._core.wait(timeout_s)

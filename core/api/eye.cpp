@@ -3,6 +3,7 @@
 #include "base/error.h"
 #include "base/units.h"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace eye_render {
@@ -60,6 +61,7 @@ std::string_view to_string(Correction correction)
 
 std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
 {
+    require_range("vertex_mm", description.vertex_mm, 0.0, mm_from_m(max_vertex_m), "mm");
     return make_eye(EyeSpec{.model = description.model,
                             .rx = description.rx,
                             .rx_plane = description.rx_plane,
@@ -74,7 +76,7 @@ std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
 
 BlurEllipse blur_at(const EyeModel& eye, double object_distance_m)
 {
-    if (!(object_distance_m > 0.0)) {
+    if (!(object_distance_m > 0.0 && std::isfinite(1.0 / object_distance_m))) {
         throw std::invalid_argument("distance_m is " + number_text(object_distance_m) +
                                     " m; expected above 0");
     }

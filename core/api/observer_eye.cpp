@@ -48,8 +48,9 @@ void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& rel
         return;
     }
     const PowerMatrix error_d = relaxed_eye.error_d(1.0 / eye.focus_distance_m);
-    const double amplitude_d =
+    const double of_age_d =
         accommodation_amplitude_d(observer.age_years, observer.amplitude_formula);
+    const double amplitude_d = std::min(of_age_d, relaxed_eye.max_accommodation_d());
     const double wanted_d = -error_d.mean_d();
     eye.accommodation_d = best_accommodation_d(error_d, amplitude_d);
     const std::string object = std::isfinite(eye.focus_distance_m)
@@ -57,8 +58,11 @@ void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& rel
                                    : "far away";
     if (wanted_d > amplitude_d) {
         eye.notes.push_back("focus: seeing sharply " + object + " takes " + number_text(wanted_d) +
-                            " D of accommodation; at " + number_text(observer.age_years) +
-                            " years there are " + number_text(amplitude_d) + " D");
+                            " D of accommodation; " +
+                            (amplitude_d < of_age_d
+                                 ? "this eye model has "
+                                 : "at " + number_text(observer.age_years) + " years there are ") +
+                            number_text(amplitude_d) + " D");
     } else if (wanted_d < 0.0) {
         eye.notes.push_back("focus: what lies " + object +
                             " is beyond the far point; the relaxed eye is " +
@@ -130,6 +134,17 @@ void adapt_pupil(ObserverEye& eye,
                                             .eyes = observer.eyes});
     eye.pupil_mm = mm_from_m(size.diameter_m);
     eye.pupil_clamps = size.clamps;
+    if (observer.eye.model == EyeModelKind::Wavefront) {
+        const double measured_mm =
+            mm_from_m(observer.eye.wavefront ? observer.eye.wavefront->pupil_diameter_m
+                                             : max_population_pupil_m);
+        if (eye.pupil_mm > measured_mm) {
+            eye.pupil_clamps.push_back("diameter " + number_text(eye.pupil_mm) +
+                                       " mm is wider than the wavefront's pupil of " +
+                                       number_text(measured_mm) + " mm, which is used");
+            eye.pupil_mm = measured_mm;
+        }
+    }
 }
 
 }  // namespace

@@ -42,7 +42,8 @@ double accommodation_amplitude_d(double age_years, AmplitudeFormula formula)
 
 double best_accommodation_d(const PowerMatrix& relaxed_error_d, double amplitude_d)
 {
-    return std::clamp(-relaxed_error_d.mean_d(), 0.0, amplitude_d);
+    // 0 - 0 is no -0.
+    return std::clamp(0.0 - relaxed_error_d.mean_d(), 0.0, amplitude_d);
 }
 
 double far_vergence_d(const PowerMatrix& rx) { return -rx.mean_d(); }

@@ -20,8 +20,11 @@ PowerMatrix rx_as_written(const EyeSpec& spec)
     const auto& power = std::get<PowerMatrix>(spec.rx);
     // What any valid prescription can have, in either form.
     constexpr double max_mean_d = max_sphere_d + 0.5 * max_cylinder_d;
-    require_range("mean sphere of rx", power.mean_d(), -max_mean_d, max_mean_d, "D");
-    require_range("cylinder of rx", 2.0 * power.astigmatism_d(), 0.0, max_cylinder_d, "D");
+    constexpr double rounding = 1.0 + 1e-12;
+    require_range("mean sphere of rx", power.mean_d(), -max_mean_d * rounding,
+                  max_mean_d * rounding, "D");
+    require_range("cylinder of rx", 2.0 * power.astigmatism_d(), 0.0, max_cylinder_d * rounding,
+                  "D");
     return power;
 }
 
@@ -48,7 +51,6 @@ std::unique_ptr<EyeModel> make_bare_eye(const EyeSpec& spec)
 {
     const PowerMatrix rx_entrance_pupil = rx_at_entrance_pupil(spec);
     if (spec.model == EyeModelKind::Paper) {
-        require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
         // A worn lens has a place, so behind it the eye's prescription must have one, too.
         return make_paper_eye(spec.worn ? rx_entrance_pupil : rx_as_written(spec),
                               spec.accommodation_d, spec.pupil_diameter_m, spec.eye_length_m);
@@ -109,6 +111,8 @@ std::unique_ptr<EyeModel> make_eye(const EyeSpec& spec)
     require_range("pupil_mm", mm_from_m(spec.pupil_diameter_m), 0.0,
                   mm_from_m(max_pupil_diameter_m), "mm");
     require_range("accommodation_d", spec.accommodation_d, 0.0, max_accommodation_d, "D");
+    require_range("vertex_mm", mm_from_m(spec.vertex_m), 0.0, mm_from_m(max_vertex_m), "mm");
+    require_range("eye_length_mm", mm_from_m(spec.eye_length_m), 10.0, 40.0, "mm");
     if (spec.wavefront) require_valid(*spec.wavefront);
     std::unique_ptr<EyeModel> eye = make_bare_eye(spec);
     if (spec.model == EyeModelKind::Pinhole) return make_pinhole_eye();

@@ -44,7 +44,6 @@ inline constexpr std::array rx_planes{RxPlane::Spectacle, RxPlane::Cornea, RxPla
 
 inline constexpr double max_pupil_diameter_m = 9e-3;
 // Less in the schematic eyes whose surfaces do not allow it.
-inline constexpr double max_accommodation_d = 20.0;
 
 struct EyeSpec {
     EyeModelKind model = EyeModelKind::Paraxial;

@@ -40,6 +40,9 @@ struct EyeRay {
     double weight = 1.0;    // 0 unless Transmitted
 };
 
+// Of a model without limits of its own: beyond it a number is a slip of the keyboard.
+inline constexpr double max_accommodation_d = 20.0;
+
 class EyeModel {
 public:
     virtual ~EyeModel() = default;
@@ -62,6 +65,12 @@ public:
     }
 
     [[nodiscard]] virtual double pupil_diameter_m() const = 0;
+
+    // The most accommodation that the model has, whatever the person's age allows.
+    [[nodiscard]] virtual double max_accommodation_d() const
+    {
+        return eye_render::max_accommodation_d;
+    }
 
     // The largest angle by which its rays may differ from those of the eye it stands for, within
     // 20 degrees of the axis: 0 for a model that evaluates its own definition.

@@ -110,6 +110,8 @@ public:
 
     [[nodiscard]] double pupil_diameter_m() const override { return pupil_diameter_m_; }
 
+    [[nodiscard]] double max_accommodation_d() const override { return body_.max_accommodation_d; }
+
     [[nodiscard]] double approximation_arcmin() const override { return fit_error_arcmin_; }
 
     [[nodiscard]] double fitted_field_deg() const override

@@ -45,26 +45,34 @@ double least_spot_conjugate_d(const LensSystem& system,
     return -slope_height_m / height_height_m2;
 }
 
-// The eye that has this axial length, accommodated by what is asked for.
-LensSystem accommodated(const SchematicSpec& spec, double axial_m)
+// An eye of this axial length at rest or accommodated.
+struct Accommodated {
+    LensSystem system;
+    double max_accommodation_d = 0.0;
+};
+
+// The eye accommodated by what is asked for.
+Accommodated accommodated(const SchematicSpec& spec, double axial_m)
 {
     const auto system_at = [&](double nominal_d) {
         LensSystem system = schematic_eye(spec.kind, nominal_d);
         system.retina.vertex_m = axial_m;
         return system;
     };
-    if (spec.accommodation_d == 0.0) return system_at(0.0);
     const auto conjugate_d = [&](double nominal_d) {
         return mean_conjugate_d(system_at(nominal_d), spec.zero, spec.pupil_diameter_m);
     };
     const double relaxed_d = conjugate_d(0.0);
     const double max_nominal_d = max_nominal_accommodation_d(spec.kind);
-    require_range("accommodation_d", spec.accommodation_d, 0.0,
-                  conjugate_d(max_nominal_d) - relaxed_d, "D");
+    const double max_d = std::min(conjugate_d(max_nominal_d) - relaxed_d, max_accommodation_d);
+    require_range("accommodation_d", spec.accommodation_d, 0.0, max_d, "D");
+    // Less would be lost in the rounding of the conjugates that it is the difference of.
+    constexpr double least_d = 1e-9;
+    if (spec.accommodation_d < least_d) return {system_at(0.0), max_d};
     const auto nominal_d = bracketed_root(
         [&](double tried_d) { return conjugate_d(tried_d) - relaxed_d - spec.accommodation_d; },
         0.0, max_nominal_d);
-    return system_at(nominal_d.value());
+    return {system_at(nominal_d.value()), max_d};
 }
 
 }  // namespace
@@ -139,7 +147,9 @@ SchematicBody schematic_body(const SchematicSpec& spec)
         axial_length_m(published, relaxed_d.mean_d(), spec.zero, spec.pupil_diameter_m);
 
     SchematicBody body;
-    body.system = accommodated(spec, axial_m);
+    auto [system, max_d] = accommodated(spec, axial_m);
+    body.system = std::move(system);
+    body.max_accommodation_d = max_d;
     const Indices indices = indices_at(body.system, reference_wavelength_nm);
     body.entrance_pupil_m = entrance_pupil(body.system, indices, Meridian::X).position_m;
     const double mean_d = mean_conjugate_d(body.system, spec.zero, spec.pupil_diameter_m);

@@ -8,10 +8,11 @@
 namespace eye_render {
 
 struct SchematicBody {
-    LensSystem system;                // in the frame of the cornea's principal meridians
-    V2d axis_x_camera{1.0, 0.0};      // the system's x as the patient sees it
-    double entrance_pupil_m = 0.0;    // behind the cornea's vertex, for its mean curvature
-    PowerMatrix retinal_conjugate_d;  // camera frame, at the entrance pupil
+    LensSystem system;                 // in the frame of the cornea's principal meridians
+    V2d axis_x_camera{1.0, 0.0};       // the system's x as the patient sees it
+    double entrance_pupil_m = 0.0;     // behind the cornea's vertex, for its mean curvature
+    PowerMatrix retinal_conjugate_d;   // camera frame, at the entrance pupil
+    double max_accommodation_d = 0.0;  // what the publication's parameter can do for this eye
 };
 
 // Throws std::invalid_argument, with what is out of range, when no such eye exists.

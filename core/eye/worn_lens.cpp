@@ -64,6 +64,11 @@ public:
 
     [[nodiscard]] double pupil_diameter_m() const override { return eye_->pupil_diameter_m(); }
 
+    [[nodiscard]] double max_accommodation_d() const override
+    {
+        return eye_->max_accommodation_d();
+    }
+
     [[nodiscard]] double approximation_arcmin() const override
     {
         return eye_->approximation_arcmin();

@@ -34,7 +34,7 @@ void require_valid(const Wavefront& wavefront)
     require_range("wavefront pupil_mm", mm_from_m(wavefront.pupil_diameter_m),
                   mm_from_m(min_wavefront_pupil_m), mm_from_m(max_wavefront_pupil_m), "mm");
     require_range("wavefront wavelength_nm", wavefront.wavelength_nm, min_wavelength_nm,
-                  max_wavelength_nm, "nm");
+                  max_infrared_nm, "nm");
 }
 
 void require_covers(const Wavefront& wavefront, double pupil_diameter_m)

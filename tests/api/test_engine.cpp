@@ -71,6 +71,20 @@ TEST(Engine, presbyope_cannot_focus_near_and_is_told_so)
     EXPECT_NE(engine.warnings()[0].find("2.5 D"), std::string::npos) << engine.warnings()[0];
 }
 
+TEST(Engine, model_that_accommodates_less_than_its_age_is_told_and_used)
+{
+    Observer observer = myope(0.0);
+    observer.eye.model = EyeModelKind::Arizona;
+    observer.age_years = 10.0;
+    observer.focus = FocusMode::Distance;
+    observer.focus_distance_m = 0.1;
+    Engine engine(wall(2.0, 1.0f), observer, {});
+    EXPECT_LT(engine.eye().accommodation_d, 9.0);
+    EXPECT_EQ(engine.eye().accommodation_d, engine.eye().model->max_accommodation_d());
+    ASSERT_EQ(engine.warnings().size(), 1u);
+    EXPECT_NE(engine.warnings()[0].find("this eye model has "), std::string::npos);
+}
+
 TEST(Engine, myope_cannot_focus_beyond_the_far_point)
 {
     Observer observer = myope(-3.0);
@@ -121,6 +135,18 @@ TEST(Engine, clamp_of_the_pupil_is_told_and_kept_with_the_picture)
     ASSERT_EQ(engine.warnings().size(), 1u);
     EXPECT_EQ(engine.warnings()[0], "pupil: age 5 years taken as 20 years");
     EXPECT_EQ(engine.metadata().at("pupil_clamps"), "age 5 years taken as 20 years");
+}
+
+TEST(Engine, automatic_pupil_is_no_wider_than_its_wavefront)
+{
+    Observer observer = myope(0.0);
+    observer.eye.model = EyeModelKind::Wavefront;
+    observer.pupil_mm.reset();
+    Engine engine(wall(2.0, 1e-9f), observer, {});
+    EXPECT_EQ(engine.eye().pupil_mm, 7.5);
+    ASSERT_FALSE(engine.eye().pupil_clamps.empty());
+    EXPECT_NE(engine.eye().pupil_clamps.back().find("wider than the wavefront's"),
+              std::string::npos);
 }
 
 TEST(Engine, scene_without_any_light_is_told)

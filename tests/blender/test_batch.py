@@ -151,3 +151,12 @@ def test_options_rule_the_run_and_are_not_saved(run_blender, picture, tmp_path):
         str(saved), "--python-expr", f"import bpy; scene = bpy.context.scene; {show}"
     )
     assert "saved +1.00 DRAFT" in shown.stdout
+
+
+def test_rays_that_the_eye_loses_are_told(run_blender, picture):
+    """An iris 8 mm wide cannot be seen whole from 66 degrees aside."""
+    script = "camera.lens = 8.0\n"
+    ended = run_blender("--", "--eye-model", "navarro", "--eye-pupil", "8", script=script)
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert picture.exists()
+    assert "of the rays are lost in the eye: " in ended.stdout

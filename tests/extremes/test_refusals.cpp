@@ -116,7 +116,7 @@ TEST_P(Refusals, of_every_number_of_a_wavefront)
         {"wavefront pupil_mm", [](Spec& s, double v) { s.wavefront->pupil_diameter_m = v; }, 1e-3,
          10e-3},
         {"wavefront wavelength_nm", [](Spec& s, double v) { s.wavefront->wavelength_nm = v; },
-         380.0, 780.0}};
+         380.0, 1100.0}};
     for (std::size_t j = 0; j < max_zernike_terms; ++j) {
         fields.push_back({"wavefront coefficient",
                           [j](Spec& s, double v) { s.wavefront->coefficients_um[j] = v; }, -1000.0,

@@ -34,7 +34,7 @@ TEST(Chromatic, refraction_is_zero_at_590_nm)
 TEST(Chromatic, what_nobody_sees_counts_as_the_end_of_the_spectrum)
 {
     EXPECT_EQ(chromatic_difference_d(214.102), chromatic_difference_d(380.0));
-    EXPECT_EQ(chromatic_difference_d(1e9), chromatic_difference_d(780.0));
+    EXPECT_EQ(chromatic_difference_d(1e9), chromatic_difference_d(1100.0));
 }
 
 }  // namespace

@@ -220,8 +220,9 @@ TEST(Wavefront, is_refused_out_of_range)
               "wavefront coefficient 1 is nan um; expected -1000 to 1000 um");
     EXPECT_EQ(refusal({.pupil_diameter_m = 0.5e-3}),
               "wavefront pupil_mm is 0.5 mm; expected 1 to 10 mm");
-    EXPECT_EQ(refusal({.wavelength_nm = 840.0}),
-              "wavefront wavelength_nm is 840 nm; expected 380 to 780 nm");
+    EXPECT_EQ(refusal({.wavelength_nm = 1200.0}),
+              "wavefront wavelength_nm is 1200 nm; expected 380 to 1100 nm");
+    EXPECT_EQ(refusal({.wavelength_nm = 850.0}), "accepted") << "an aberrometer's infrared";
 }
 
 }  // namespace

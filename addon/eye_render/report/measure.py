@@ -37,12 +37,14 @@ class Subject:
 def subject_of(observer: eyecore.Observer, metadata: Mapping[str, str]) -> Subject:
     """The observer in the state that a session's metadata tells of."""
     description = {key: _number(metadata[key]) for key in _DESCRIBING if key in metadata}
+    eye_at = partial(eyecore.observer_eye, observer, float(metadata["pupil_mm"]))
+    of_age_d = eyecore.accommodation_amplitude_d(
+        float(metadata["age_years"]), metadata["amplitude_formula"]
+    )
     return Subject(
-        eye_at=partial(eyecore.observer_eye, observer, float(metadata["pupil_mm"])),
+        eye_at=eye_at,
         accommodation_d=float(metadata["accommodation_d"]),
-        amplitude_d=eyecore.accommodation_amplitude_d(
-            float(metadata["age_years"]), metadata["amplitude_formula"]
-        ),
+        amplitude_d=min(of_age_d, eye_at(0.0).max_accommodation_d),
         description=description,
     )
 
