@@ -170,9 +170,7 @@ def pupil_diameter_mm(
     age_years: float = 30.0,
     eyes: int = 2,
 ) -> float: ...
-def accommodation_amplitude_d(
-    age_years: float, formula: str = "HOFSTETTER_MEAN"
-) -> float: ...
+def accommodation_amplitude_d(age_years: float, formula: str = "HOFSTETTER_MEAN") -> float: ...
 
 class ClearRange:
     @property

@@ -13,7 +13,18 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 BLENDER = os.environ.get("BLENDER", "blender")
 
 # What takes minutes, opens a window or runs these tests: only looked up in `run help`.
-DEAR = {"demo", "test", "blender", "package", "build", "cycles", "compat", "figures", "tradeoff"}
+DEAR = {
+    "demo",
+    "test",
+    "blender",
+    "package",
+    "build",
+    "cycles",
+    "compat",
+    "eyes",
+    "figures",
+    "tradeoff",
+}
 
 
 def blocks(language: str) -> list[str]:
