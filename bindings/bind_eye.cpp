@@ -106,8 +106,7 @@ void bind_eye(py::module_& m)
              "2).")
         .def("blur_ellipse", &blur_at, "distance_m"_a = std::numeric_limits<double>::infinity())
         .def_property_readonly(
-            "far_point_m",
-            [](const EyeModel& eye) { return distance_m(eye.retinal_conjugate_d().mean_d()); },
+            "far_point_m", [](const EyeModel& eye) { return far_point_m(eye); },
             "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"
             "behind the eye of a hyperope.")
         .def_property_readonly("max_accommodation_d", &EyeModel::max_accommodation_d,

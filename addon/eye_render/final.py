@@ -122,11 +122,11 @@ def _render_view(
             found.remember_pupil(camera.data, pupil)
         found.remember_focus(camera.data, session)
         _stamp(engine, metadata, view_name)
-        if overrides.report is not None:
-            _say(reporting.write_of_picture(overrides.report, observer, metadata, view_name))
         _show_until_finished(engine, depsgraph, session, frame, view_name)
         if session.lost_rays:
             _say(session.lost_rays)
+        if overrides.report is not None:
+            _say(reporting.write_of_picture(overrides.report, observer, metadata, view_name))
     return pupil
 
 

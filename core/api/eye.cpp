@@ -20,15 +20,18 @@ Prescription full_correction(const EyeDescription& description)
                                  ? m_from_mm(description.vertex_mm) + cornea_to_entrance_pupil_m
                              : description.rx_plane == RxPlane::Cornea ? cornea_to_entrance_pupil_m
                                                                        : 0.0;
-    if (lens_m == written_m) {
-        return description.rx;
+    Prescription lens = description.rx;
+    if (lens_m != written_m) {
+        const Prescription moved = prescription_from(
+            moved_toward_eye(power_matrix_tabo(description.rx), written_m - lens_m));
+        lens.sphere_d = moved.sphere_d;
+        lens.cylinder_d = moved.cylinder_d;
+        lens.axis_deg = moved.axis_deg;
     }
-    Prescription lens =
-        prescription_from(moved_toward_eye(power_matrix_tabo(description.rx), written_m - lens_m));
-    lens.add_d = description.rx.add_d;
-    lens.base_in_pd = description.rx.base_in_pd;
-    lens.base_up_pd = description.rx.base_up_pd;
-    lens.eye = description.rx.eye;
+    if (description.correction == Correction::Contacts) {
+        // A contact lens turns on the eye, so nobody orders one with a prism.
+        lens.base_in_pd = lens.base_up_pd = 0.0;
+    }
     return lens;
 }
 
@@ -36,6 +39,10 @@ std::optional<WornLens> worn_lens(const EyeDescription& description)
 {
     if (description.correction == Correction::None) {
         return std::nullopt;
+    }
+    if (description.near_part && description.correction != Correction::Glasses) {
+        throw std::invalid_argument("near_part is set for contact lenses; expected glasses, which "
+                                    "alone have a part for reading");
     }
     Prescription rx = description.worn ? *description.worn : full_correction(description);
     if (description.correction == Correction::Contacts) {
@@ -81,6 +88,18 @@ BlurEllipse blur_at(const EyeModel& eye, double object_distance_m)
                                     " m; expected above 0");
     }
     return blur_ellipse(eye.error_d(1.0 / object_distance_m), eye.pupil_diameter_m());
+}
+
+double far_point_m(const EyeModel& eye)
+{
+    // Newton's method: at once for a bare eye, whose error falls by 1 D for each dioptre of the
+    // object's vergence; behind a lens it is nearly so.
+    double vergence_d = 0.0;
+    for (int step = 0; step < 20; ++step) {
+        const double error_d = eye.error_d(vergence_d).mean_d();
+        vergence_d += error_d / (error_d - eye.error_d(vergence_d + 1.0).mean_d());
+    }
+    return distance_m(vergence_d);
 }
 
 double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions)

@@ -55,6 +55,10 @@ struct EyeDescription {
 // throws std::invalid_argument for other distances.
 [[nodiscard]] BlurEllipse blur_at(const EyeModel& eye, double object_distance_m);
 
+// Where the eye's mean error vanishes: infinite for an emmetrope, negative behind a hyperope's
+// eye.
+[[nodiscard]] double far_point_m(const EyeModel& eye);
+
 // Diameter of the entrance pupil, clamped as `pupil_size` says. Throws std::invalid_argument as it
 // does, and for a negative luminance: no report tells of that clamp here.
 [[nodiscard]] double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions);

@@ -43,18 +43,21 @@ struct EyeRay {
 // Of a model without limits of its own: beyond it a number is a slip of the keyboard.
 inline constexpr double max_accommodation_d = 20.0;
 
+// Its functions may be called from several threads at once.
 class EyeModel {
 public:
     virtual ~EyeModel() = default;
 
     // The object-space ray of the pixel with chief slope `chief_slope` through the entrance-pupil
-    // point `pupil_point_m` (metres). Finite for all finite arguments.
+    // point `pupil_point_m` (metres). Finite for all finite arguments; wavelengths outside 380 to
+    // 780 nm may count as the nearest end.
     [[nodiscard]] virtual EyeRay ray(const V2d& chief_slope,
                                      const V2d& pupil_point_m,
                                      double wavelength_nm) const = 0;
 
     // K, the conjugate vergence of the retina in dioptres near the axis at 555 nm, camera frame.
-    // Zero for a pinhole, which has no blur at all.
+    // Zero for a pinhole, which has no blur at all. Behind a lens it is the error for an object at
+    // infinity, which without one is the same.
     [[nodiscard]] virtual PowerMatrix retinal_conjugate_d() const = 0;
 
     // E, the error by which the eye blurs an object at vergence X = 1/distance from the entrance
@@ -65,6 +68,9 @@ public:
     }
 
     [[nodiscard]] virtual double pupil_diameter_m() const = 0;
+
+    // Whether its rays depend on the wavelength.
+    [[nodiscard]] virtual bool is_chromatic() const { return true; }
 
     // The most accommodation that the model has, whatever the person's age allows.
     [[nodiscard]] virtual double max_accommodation_d() const

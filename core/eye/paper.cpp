@@ -69,6 +69,8 @@ public:
     // What the eye would do with the exact cylinder; the interpolated one is no matrix.
     [[nodiscard]] PowerMatrix retinal_conjugate_d() const override { return retinal_conjugate_d_; }
 
+    [[nodiscard]] bool is_chromatic() const override { return false; }
+
     [[nodiscard]] double pupil_diameter_m() const override { return pupil_diameter_m_; }
 
 private:

@@ -17,6 +17,8 @@ public:
 
     [[nodiscard]] PowerMatrix retinal_conjugate_d() const override { return {}; }
 
+    [[nodiscard]] bool is_chromatic() const override { return false; }
+
     [[nodiscard]] double pupil_diameter_m() const override { return 0.0; }
 };
 

@@ -64,6 +64,8 @@ public:
 
     [[nodiscard]] double pupil_diameter_m() const override { return eye_->pupil_diameter_m(); }
 
+    [[nodiscard]] bool is_chromatic() const override { return eye_->is_chromatic(); }
+
     [[nodiscard]] double max_accommodation_d() const override
     {
         return eye_->max_accommodation_d();

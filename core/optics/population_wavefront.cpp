@@ -5,7 +5,9 @@
 #include "base/error.h"
 #include "base/units.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace eye_render {
 
@@ -35,13 +37,20 @@ Wavefront population_wavefront(double pupil_diameter_m, EyeSide eye)
 {
     require_range("pupil of the population's wavefront", mm_from_m(pupil_diameter_m),
                   mm_from_m(min_wavefront_pupil_m), mm_from_m(max_population_pupil_m), "mm");
-    const PopulationMean* mean = population_means.begin();
-    while (m_from_mm(mean->pupil_mm) < pupil_diameter_m) ++mean;
+    // Of the pupils measured, the next wider one and the one before it.
+    const double pupil_mm = std::max(mm_from_m(pupil_diameter_m), population_means[0].pupil_mm);
+    std::size_t wider = 1;
+    while (population_means[wider].pupil_mm < pupil_mm) ++wider;
+    const PopulationMean& a = population_means[wider - 1];
+    const PopulationMean& b = population_means[wider];
+    const double t = (pupil_mm - a.pupil_mm) / (b.pupil_mm - a.pupil_mm);
     Wavefront wavefront{.coefficients_um = std::vector<double>(first_index),
-                        .pupil_diameter_m = m_from_mm(mean->pupil_mm),
+                        .pupil_diameter_m = m_from_mm(pupil_mm),
                         .wavelength_nm = measured_at_nm};
-    wavefront.coefficients_um.insert(wavefront.coefficients_um.end(),
-                                     mean->coefficients_um.begin(), mean->coefficients_um.end());
+    for (std::size_t i = 0; i < a.coefficients_um.size(); ++i) {
+        wavefront.coefficients_um.push_back(
+            std::lerp(a.coefficients_um[i], b.coefficients_um[i], t));
+    }
     return rescaled(eye == EyeSide::Left ? mirrored(wavefront) : wavefront, pupil_diameter_m);
 }
 

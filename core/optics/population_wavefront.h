@@ -15,9 +15,10 @@ namespace eye_render {
 
 inline constexpr double max_population_pupil_m = 7.5e-3;
 
-// Over a pupil of 1 to 7.5 mm: from the measurement of that pupil, or of the next larger one of
-// 3, 4.5, 6 and 7.5 mm. The left eye is the right one's mirror image; any other side counts as
-// right. Throws std::invalid_argument for other pupils.
+// Over a pupil of 1 to 7.5 mm: between the measured pupils of 3, 4.5, 6 and 7.5 mm each
+// coefficient goes linearly, so that nothing jumps when the pupil moves; below 3 mm it is the
+// inner part of the smallest. The left eye is the right one's mirror image; any other side counts
+// as right. Throws std::invalid_argument for other pupils.
 [[nodiscard]] Wavefront population_wavefront(double pupil_diameter_m,
                                              EyeSide eye = EyeSide::Right);
 

@@ -150,7 +150,7 @@ void plan_lens(RenderPlan& plan,
     // A blur circle one pixel wide is where the wider pixel filter hides it.
     // NaN falls to the lens, which costs time but never blur.
     plan.lens = !(plan.largest_blur_px < 1.0);
-    plan.chromatic = plan.lens && chromatic;
+    plan.chromatic = plan.lens && chromatic && eye.is_chromatic();
     plan.stiles_crawford = plan.lens && stiles_crawford;
 }
 

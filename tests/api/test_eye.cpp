@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace eye_render {
 namespace {
@@ -50,6 +51,16 @@ TEST(Eye, glasses_that_are_too_weak_leave_the_rest)
                 rounding_d);
 }
 
+TEST(Eye, far_point_behind_glasses_is_where_a_point_is_sharp)
+{
+    EXPECT_EQ(far_point_m(*make_eye(EyeDescription{})), std::numeric_limits<double>::infinity());
+    const EyeDescription eye{.rx = {.sphere_d = -10.0},
+                             .correction = Correction::Glasses,
+                             .worn = Prescription{.sphere_d = -6.0}};
+    // 4 D are left at the glasses, 15.05 mm before the pupil.
+    EXPECT_NEAR(far_point_m(*make_eye(eye)), 0.25 + 0.01505, 1e-9);
+}
+
 TEST(Eye, reading_part_is_sharp_one_addition_before_the_glasses)
 {
     EyeDescription eye{.rx = {.sphere_d = -1.0, .add_d = 2.5},
@@ -59,6 +70,15 @@ TEST(Eye, reading_part_is_sharp_one_addition_before_the_glasses)
     EXPECT_LT(largest_error_d(eye, 1.0 / object_m), rounding_d);
     eye.near_part = false;
     EXPECT_LT(largest_error_d(eye), rounding_d) << "the distance part is for far away";
+}
+
+TEST(Eye, contact_lenses_have_neither_prism_nor_a_reading_part)
+{
+    EyeDescription eye{.rx = {.sphere_d = -3.0, .base_up_pd = 4.0},
+                       .correction = Correction::Contacts};
+    EXPECT_EQ(make_eye(eye)->ray(V2d(0.0), V2d(0.0), 555.0).slope, V2d(0.0));
+    eye.near_part = true;
+    EXPECT_THROW((void)make_eye(eye), std::invalid_argument);
 }
 
 TEST(Eye, contact_lenses_are_what_they_are_made_to)

@@ -21,11 +21,24 @@ TEST(PopulationWavefront, has_the_published_spherical_aberration)
     EXPECT_NEAR(higher_order_rms_um(mean), 0.104, 0.0005);
 }
 
-TEST(PopulationWavefront, between_tables_comes_from_the_next_larger_pupil)
+TEST(PopulationWavefront, between_the_measured_pupils_no_coefficient_jumps)
 {
-    const Wavefront expected = rescaled(population_wavefront(6e-3), 5e-3);
-    const Wavefront mean = population_wavefront(5e-3);
-    EXPECT_EQ(mean.pupil_diameter_m, 5e-3);
+    EXPECT_NEAR(population_wavefront(5.25e-3).coefficients_um[12], 0.5 * (0.0304 + 0.0942), 1e-12);
+    for (const double pupil_mm : {3.0, 4.5, 6.0}) {
+        const Wavefront below = population_wavefront((pupil_mm - 1e-6) * 1e-3);
+        const Wavefront above = population_wavefront((pupil_mm + 1e-6) * 1e-3);
+        for (std::size_t j = 0; j < 15; ++j) {
+            EXPECT_NEAR(below.coefficients_um[j], above.coefficients_um[j], 1e-6)
+                << pupil_mm << " mm, index " << j;
+        }
+    }
+}
+
+TEST(PopulationWavefront, below_the_smallest_pupil_is_its_inner_part)
+{
+    const Wavefront expected = rescaled(population_wavefront(3e-3), 2e-3);
+    const Wavefront mean = population_wavefront(2e-3);
+    EXPECT_EQ(mean.pupil_diameter_m, 2e-3);
     for (std::size_t j = 0; j < 15; ++j) {
         EXPECT_NEAR(mean.coefficients_um[j], expected.coefficients_um[j], 1e-12) << "index " << j;
     }

@@ -54,8 +54,8 @@ def test_a_measured_myope_is_corrected_by_its_own_prescription() -> None:
         (lambda: eyecore.Wavefront([float("nan")], 6.0), "coefficient 0 is nan um; expected"),
         (lambda: eyecore.Wavefront([], 11.0), "pupil_mm is 11 mm; expected 1 to 10 mm"),
         (
-            lambda: eyecore.Wavefront([], 6.0, 900.0),
-            "wavelength_nm is 900 nm; expected",
+            lambda: eyecore.Wavefront([], 6.0, 1200.0),
+            "wavelength_nm is 1200 nm; expected 380 to 1100 nm",
         ),
         (lambda: eyecore.Wavefront.population(8.0), "wavefront is 8 mm; expected 1 to 7.5 mm"),
         (lambda: eyecore.Wavefront.population(6.0, eye="L"), "eye is 'L'; expected one of OD, OS"),

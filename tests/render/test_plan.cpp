@@ -58,6 +58,38 @@ TEST(Plan, blur_below_a_pixel_needs_no_lens)
     EXPECT_TRUE(blurred.lens);
 }
 
+// Strong plus glasses magnify, so a pixel spans less of the object: what they blur counts for
+// more.
+TEST(Plan, blur_is_counted_in_the_pictures_own_slopes_behind_glasses)
+{
+    SceneData data;
+    test::place(data, test::square(1.0f), V3d(0, 0, -10.0), test::diffuse(0.5f));
+    const Prescription rx{.sphere_d = 20.0};
+    const auto eye = make_eye({.rx = rx,
+                               .rx_plane = RxPlane::Spectacle,
+                               .vertex_m = 20e-3,
+                               .pupil_diameter_m = 4e-3,
+                               .worn = glasses(rx, 20e-3)});
+    RenderPlan plan = make_plan(data, {Pass::Combined});
+    const CameraFrame frame = test::frame(256, 0.2);
+    plan_lens(plan, data, frame, *eye);
+    const double blur_rad = 4e-3 * std::abs(eye->error_d(0.1).mean_d());
+    EXPECT_NEAR(plan.largest_blur_px, blur_rad / frame.pixel_slope_size().x, 1e-3);
+}
+
+// The paper's eye has no colours of its own.
+TEST(Plan, wavelengths_are_sampled_only_for_eyes_that_tell_them_apart)
+{
+    SceneData data;
+    test::place(data, test::square(1.0f), V3d(0, 0, -10.0), test::diffuse(0.5f));
+    for (const EyeModelKind kind : {EyeModelKind::Paper, EyeModelKind::Paraxial}) {
+        RenderPlan plan = make_plan(data, {Pass::Combined});
+        plan_lens(plan, data, test::frame(256, 0.2),
+                  *make_eye({.model = kind, .rx = Prescription{.sphere_d = -3.0}}), true);
+        EXPECT_EQ(plan.chromatic, kind == EyeModelKind::Paraxial);
+    }
+}
+
 TEST(Plan, eye_inside_an_object_needs_the_lens_even_without_a_near_plane)
 {
     SceneData data;

@@ -148,7 +148,7 @@ def summary_line(subject: Subject, focus_m: float) -> str:
         return "No blur: a pupil without width"
     clear = eyecore.clear_ranges(subject.eye_at(0.0), subject.eye_at(subject.amplitude_d))[0]
     blurs = [
-        f"{eye.blur_ellipse(at).major_arcmin:.1f}′ at {spoken_distance(at)}"
+        f"{eye.spot_ellipse(at).major_arcmin:.1f}′ at {spoken_distance(at)}"
         for at in sorted({focus_m, math.inf})
     ]
     return (
