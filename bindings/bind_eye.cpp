@@ -104,7 +104,8 @@ void bind_eye(py::module_& m)
         .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
              "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
              "2).")
-        .def("blur_ellipse", &blur_at, "distance_m"_a = std::numeric_limits<double>::infinity())
+        .def("blur_ellipse", &blur_at, "distance_m"_a = std::numeric_limits<double>::infinity(),
+             "In closed form, of focus and astigmatism alone; spot_ellipse is of all aberrations.")
         .def_property_readonly(
             "far_point_m", [](const EyeModel& eye) { return far_point_m(eye); },
             "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"

@@ -5,7 +5,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from .options import HELP, OPTIONS, help_rows
+from .options import HELP, OPTIONS, PRESCRIPTIONS, help_rows
 from .wavefront import WavefrontFile
 
 EXIT_STATUS = 2  # of a run with a bad option
@@ -47,7 +47,14 @@ def parse(arguments: list[str]) -> Overrides:
     """
     result = Overrides()
     remaining = iter(arguments)
+    is_prescription = False
     for argument in remaining:
+        if is_prescription and not argument.startswith("--"):
+            raise OptionError(
+                f'"{argument}" follows a prescription; put all of it in quotes, as in '
+                '--eye-rx "-2.00DS -0.75DC 160A"'
+            )
+        is_prescription = False
         option, has_value, value = argument.partition("=")
         if not option.startswith(_PREFIX):
             continue
@@ -57,6 +64,7 @@ def parse(arguments: list[str]) -> Overrides:
             value = next(remaining, None)
             if value is None or value.startswith(_PREFIX):
                 raise OptionError(f"{option} has no value; expected {OPTIONS[option].allowed}")
+        is_prescription = option in PRESCRIPTIONS
         try:
             field = option.removeprefix("--eye-").replace("-", "_")
             setattr(result, field, OPTIONS[option].read(value))

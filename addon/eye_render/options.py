@@ -10,6 +10,7 @@ from . import choices, core, wavefront
 from .prescription import parse as parse_prescription
 
 HELP = "--eye-help"
+PRESCRIPTIONS = ("--eye-rx", "--eye-rx-left", "--eye-worn")  # of several words, so quoted
 
 
 class Option(NamedTuple):
@@ -85,8 +86,11 @@ def _sample_range(text: str) -> tuple[int, int]:
         first, end = (int(part) for part in text.split(":"))
     except ValueError:
         first, end = 0, 0
-    if not 0 <= first < end:
-        raise ValueError("expected A:B, the samples A to B-1, with 0 <= A < B")
+    highest = choices.SAMPLES_RANGE[1]
+    if not 0 <= first < end <= highest:
+        raise ValueError(
+            f"expected A:B, the samples A to B-1, with 0 <= A < B <= {_spoken(highest)}"
+        )
     return first, end
 
 

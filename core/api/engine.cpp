@@ -34,6 +34,17 @@ std::string wavefront_text(const Wavefront& wavefront)
     return text;
 }
 
+bool has_second_order(const Wavefront& wavefront)
+{
+    const std::vector<double>& c = wavefront.coefficients_um;
+    for (std::size_t j = 3; j < std::min<std::size_t>(c.size(), 6); ++j) {
+        if (c[j] != 0.0) {
+            return true;
+        }
+    }
+    return false;
+}
+
 SampleRange samples_of(const RenderSettings& settings)
 {
     return settings.range.value_or(SampleRange{.first = 0, .last = settings.samples});
@@ -137,6 +148,11 @@ std::vector<std::string> Engine::warnings() const
     all.insert(all.end(), eye_.notes.begin(), eye_.notes.end());
     if (!eye_.pupil_clamps.empty()) {
         all.push_back("pupil: " + joined(eye_.pupil_clamps));
+    }
+    if (observer_.eye.wavefront && has_second_order(*observer_.eye.wavefront)) {
+        all.emplace_back(
+            "the wavefront's own defocus and astigmatism (OSA indices 3 to 5) are left "
+            "out, because the prescription states them");
     }
     return all;
 }

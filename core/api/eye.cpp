@@ -37,12 +37,17 @@ Prescription full_correction(const EyeDescription& description)
 
 std::optional<WornLens> worn_lens(const EyeDescription& description)
 {
-    if (description.correction == Correction::None) {
-        return std::nullopt;
-    }
     if (description.near_part && description.correction != Correction::Glasses) {
-        throw std::invalid_argument("near_part is set for contact lenses; expected glasses, which "
-                                    "alone have a part for reading");
+        throw std::invalid_argument("near_part is set with correction '" +
+                                    std::string(to_string(description.correction)) +
+                                    "'; expected 'glasses', which alone have a part for reading");
+    }
+    if (description.correction == Correction::None) {
+        if (description.worn) {
+            throw std::invalid_argument(
+                "worn is given with correction 'none'; expected 'glasses' or 'contacts'");
+        }
+        return std::nullopt;
     }
     Prescription rx = description.worn ? *description.worn : full_correction(description);
     if (description.correction == Correction::Contacts) {
@@ -99,7 +104,8 @@ double far_point_m(const EyeModel& eye)
         const double error_d = eye.error_d(vergence_d).mean_d();
         vergence_d += error_d / (error_d - eye.error_d(vergence_d + 1.0).mean_d());
     }
-    return distance_m(vergence_d);
+    constexpr double rounding_d = 1e-9;  // a million kilometres
+    return distance_m(std::abs(vergence_d) < rounding_d ? 0.0 : vergence_d);
 }
 
 double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions)

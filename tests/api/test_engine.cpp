@@ -137,6 +137,18 @@ TEST(Engine, clamp_of_the_pupil_is_told_and_kept_with_the_picture)
     EXPECT_EQ(engine.metadata().at("pupil_clamps"), "age 5 years taken as 20 years");
 }
 
+TEST(Engine, defocus_in_a_wavefront_is_told_to_be_left_out)
+{
+    Observer observer = myope(0.0);
+    observer.eye.model = EyeModelKind::Wavefront;
+    observer.eye.wavefront = Wavefront{.coefficients_um = {0, 0, 0, 0, 1.5}};
+    const Engine told(wall(2.0, 1.0f), observer, {});
+    ASSERT_EQ(told.warnings().size(), 1u);
+    EXPECT_NE(told.warnings()[0].find("defocus and astigmatism"), std::string::npos);
+    observer.eye.wavefront->coefficients_um = {0, 0, 0, 0, 0, 0, 0.1};
+    EXPECT_TRUE(Engine(wall(2.0, 1.0f), observer, {}).warnings().empty());
+}
+
 TEST(Engine, automatic_pupil_is_no_wider_than_its_wavefront)
 {
     Observer observer = myope(0.0);

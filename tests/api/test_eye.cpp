@@ -81,6 +81,12 @@ TEST(Eye, contact_lenses_have_neither_prism_nor_a_reading_part)
     EXPECT_THROW((void)make_eye(eye), std::invalid_argument);
 }
 
+TEST(Eye, nothing_can_be_worn_without_a_correction)
+{
+    EXPECT_THROW((void)make_eye(EyeDescription{.worn = Prescription{}}), std::invalid_argument);
+    EXPECT_THROW((void)make_eye(EyeDescription{.near_part = true}), std::invalid_argument);
+}
+
 TEST(Eye, contact_lenses_are_what_they_are_made_to)
 {
     const EyeDescription eye{.rx = {.sphere_d = -6.0},

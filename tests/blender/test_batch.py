@@ -126,6 +126,13 @@ def test_help_is_printed_and_ends_blender_with_status_0(run_blender, picture):
     assert not picture.exists()
 
 
+def test_a_prescription_without_quotes_is_refused(run_blender, picture):
+    ended = run_blender("--", "--eye-rx", "-2.00DS", "-0.75DC", "160A", "--eye-pupil", "4")
+    assert ended.returncode == 2
+    assert '"-0.75DC" follows a prescription; put all of it in quotes' in ended.stderr
+    assert not picture.exists()
+
+
 def test_a_bad_option_ends_blender_with_status_2_and_no_picture(run_blender, picture):
     ended = run_blender("--", "--eye-pupil", "wide")
     assert ended.returncode == 2

@@ -177,12 +177,15 @@ TEST_P(Refusals, of_every_number_of_a_description)
                               [set = field.set](Described& d, double v) { set(*d.worn, v); },
                               field.minimum, field.maximum});
         }
-        expect_refusals(Described{.model = GetParam(),
-                                  .rx = {.eye = EyeSide::Right},
-                                  .correction = correction,
-                                  .worn = Prescription{.eye = EyeSide::Right},
-                                  .wavefront = spec_of({.model = GetParam()}).wavefront},
-                        fields, [](const Described& eye) { static_cast<void>(make_eye(eye)); });
+        Described described{.model = GetParam(),
+                            .rx = {.eye = EyeSide::Right},
+                            .correction = correction,
+                            .wavefront = spec_of({.model = GetParam()}).wavefront};
+        if (correction != Correction::None) {
+            described.worn = Prescription{.eye = EyeSide::Right};
+        }
+        expect_refusals(described, fields,
+                        [](const Described& eye) { static_cast<void>(make_eye(eye)); });
     }
 }
 

@@ -4,6 +4,7 @@ it. Plain Python on the native module; knows nothing of Blender."""
 import json
 from collections.abc import Sequence
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import NamedTuple
 
 from .measure import Subject, distances_of, measure, subject_of, summary_line
@@ -24,14 +25,20 @@ def write_report(subject: Subject, distances_m: Sequence[float], path: Path) -> 
     """
     report = measure(subject, distances_m)
     text = json.dumps(_rounded(report), indent=2, allow_nan=False)
-    path.write_text(text + "\n", encoding="utf-8")
-    try:
-        from .figure import draw
-    except ImportError as error:
-        note = f"the report has no picture: {error}; Debian's package is python3-matplotlib"
-        return Written(path, None, note)
-    picture = path.with_suffix(".png")
-    draw(subject.eye, report, picture)
+    # Both are made before either takes its place, so that no failure leaves half a report.
+    with TemporaryDirectory(dir=path.parent) as folder:
+        new = Path(folder) / path.name
+        new.write_text(text + "\n", encoding="utf-8")
+        try:
+            from .figure import draw
+        except ImportError as error:
+            note = f"the report has no picture: {error}; Debian's package is python3-matplotlib"
+            new.replace(path)
+            return Written(path, None, note)
+        picture = path.with_suffix(".png")
+        draw(subject.eye, report, new.with_suffix(".png"))
+        new.with_suffix(".png").replace(picture)
+        new.replace(path)
     return Written(path, picture, "")
 
 
