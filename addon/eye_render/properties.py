@@ -242,10 +242,12 @@ class EyeRenderPasses(PropertyGroup):
         name="Albedo", description="Deliver the colour of surfaces without light"
     )
     use_pass_defocus: BoolProperty(
-        name="Defocus", description="Deliver the defocus of what each pixel shows, in dioptres"
+        name="Defocus",
+        description="Deliver the defocus of what each pixel shows, in dioptres, as on the axis",
     )
     use_pass_blur: BoolProperty(
-        name="Blur", description="Deliver the size of the blur at each pixel, in minutes of arc"
+        name="Blur",
+        description="Deliver the blur by defocus and astigmatism at each pixel, in minutes of arc",
     )
 
 

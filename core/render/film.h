@@ -30,6 +30,8 @@ struct PathSample {
     // more in one than in the others. Means are taken channel by channel, so white stays white
     // as soon as every channel has had its share: from four samples on.
     V3d channel_weight{1.0};
+    // Lost rays are counted and left out of the means: the picture keeps its brightness where the
+    // eye vignettes, as seeing does.
     RayFate fate = RayFate::Transmitted;
     PathRadiance light;
 };

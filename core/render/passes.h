@@ -34,7 +34,8 @@ inline constexpr std::array pass_table{
     PassInfo{Pass::Albedo, "Albedo", "RGB", true},
     // Mean of E = K - I/x, dioptres: positive where the eye is focused nearer than the surface.
     PassInfo{Pass::Defocus, "Defocus", "X", false},
-    // Major diameter of the blur ellipse, arcmin.
+    // Major diameter of the blur ellipse, arcmin: of focus and astigmatism as on the axis, without
+    // aberrations of higher order.
     PassInfo{Pass::Blur, "Blur", "X", false},
 };
 
