@@ -1,6 +1,7 @@
 """Property groups: the observer of a camera, the rendering of a scene, the view layer's passes."""
 
 import bpy
+from bpy.app.handlers import persistent
 from bpy.props import (
     BoolProperty,
     EnumProperty,
@@ -251,6 +252,13 @@ class EyeRenderPasses(PropertyGroup):
     )
 
 
+@persistent
+def _show_settings_to_the_render(scene, *_):
+    """Blender 5 goes on rendering with the settings of its first render unless it is told that
+    they may be others."""
+    scene.update_tag()
+
+
 _classes = (
     *_prescription_classes,
     EyeRenderWavefront,
@@ -266,9 +274,11 @@ def register():
     bpy.types.Camera.eye_render = PointerProperty(type=EyeRenderObserver)
     bpy.types.Scene.eye_render = PointerProperty(type=EyeRenderScene)
     bpy.types.ViewLayer.eye_render = PointerProperty(type=EyeRenderPasses)
+    bpy.app.handlers.render_init.append(_show_settings_to_the_render)
 
 
 def unregister():
+    bpy.app.handlers.render_init.remove(_show_settings_to_the_render)
     del bpy.types.ViewLayer.eye_render
     del bpy.types.Scene.eye_render
     del bpy.types.Camera.eye_render

@@ -10,6 +10,8 @@ sys.path.append(str(Path(__file__).parents[1] / "models"))
 import survey  # noqa: E402
 
 NOTHING_TO_SEE_IN = {".bvh"}  # motion alone
+# Blender 5 opens no big-endian file, and its glTF 2 importer no glTF 1, of which this part is.
+REFUSED_BY_BLENDER = {".blend", ".gltf"} if bpy.app.version >= (5, 0, 0) else set()
 
 
 @pytest.fixture(scope="module")
@@ -26,7 +28,8 @@ def test_eye_render_fails_on_no_file(visits):
 
 def test_every_blend_file_is_rendered(visits):
     outcomes = {visit.outcome for visit in visits if visit.file.endswith(".blend")}
-    assert outcomes == {"rendered"}
+    allowed = {"importer refused"} if ".blend" in REFUSED_BY_BLENDER else set()
+    assert outcomes - allowed == {"rendered"}
 
 
 def test_every_format_with_faces_is_rendered(visits):
@@ -36,4 +39,4 @@ def test_every_format_with_faces_is_rendered(visits):
 
     refused = {"importer refused", "importer died"}
     assert endings({"rendered"}) >= endings({"rendered", "nothing to see"}) - NOTHING_TO_SEE_IN
-    assert endings({"rendered", "nothing to see"}) >= endings(refused)
+    assert endings({"rendered", "nothing to see"}) >= endings(refused) - REFUSED_BY_BLENDER

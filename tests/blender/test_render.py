@@ -49,6 +49,18 @@ def sharp(scene):
     return scene
 
 
+def test_a_second_render_has_the_settings_of_now(scene, render):
+    """One sample of an edge is noise, which another seed makes another."""
+    wall(RED, x=5.0)
+    scene.eye_render.samples = 1
+    pictures = []
+    for seed in (1, 2, 1):
+        scene.eye_render.seed = seed
+        pictures.append(render())
+    assert not np.array_equal(pictures[0], pictures[1])
+    assert np.array_equal(pictures[0], pictures[2])
+
+
 def test_a_glowing_wall_has_its_colour_everywhere(render):
     wall((0.5, 0.25, 2.0))
     assert np.allclose(render(), (0.5, 0.25, 2.0, 1.0), atol=1e-5)
