@@ -25,6 +25,10 @@ def main(path: str, target: str) -> None:
     scene = bpy.context.scene
     scene.world = bpy.data.worlds.new("dark")
     scene.world.color = (0, 0, 0)
+    # From Blender 5.0 a new world has nodes, and they are grey.
+    for node in scene.world.node_tree.nodes if scene.world.node_tree else ():
+        if node.bl_idname == "ShaderNodeBackground":
+            node.inputs["Color"].default_value = (0, 0, 0, 1)
     if target == "lines":
         _rectangles("card", 0.8, DISTANCE_M, [(0, 0, CARD_ARCMIN / 2, CARD_ARCMIN / 2)])
         _rectangles("lines", 0.02, DISTANCE_M - 0.01, list(_lines()))
