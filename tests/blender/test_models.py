@@ -10,8 +10,14 @@ sys.path.append(str(Path(__file__).parents[1] / "models"))
 import survey  # noqa: E402
 
 NOTHING_TO_SEE_IN = {".bvh"}  # motion alone
-# Blender 5 opens no big-endian file, and its glTF 2 importer no glTF 1, of which this part is.
-REFUSED_BY_BLENDER = {".blend", ".gltf"} if bpy.app.version >= (5, 0, 0) else set()
+# Refusals that are no test of ours: Blender 5 and big-endian files, Debian's Blender 5 without its
+# Draco library, and, in 5's importer, files without their data or without a scene.
+UNREADABLE = (
+    "Big Endian",
+    "libbf_intern_draco_bridge",
+    "Missing resource, 'BoxTextured0.bin'",
+    "'NoneType' object is not subscriptable",
+)
 
 
 @pytest.fixture(scope="module")
@@ -19,7 +25,13 @@ def visits() -> list[survey.Visit]:
     if not survey.packages_are_installed():
         pytest.skip(f"{' or '.join(survey.PACKAGES)} is not installed")
     survey.BLENDER[0] = bpy.app.binary_path
-    return survey.survey(is_quick=True)
+    found = survey.survey(is_quick=True)
+    return [
+        visit
+        for visit in found
+        if visit.outcome != "importer refused"
+        or not any(reason in visit.detail for reason in UNREADABLE)
+    ]
 
 
 def test_eye_render_fails_on_no_file(visits):
@@ -28,8 +40,7 @@ def test_eye_render_fails_on_no_file(visits):
 
 def test_every_blend_file_is_rendered(visits):
     outcomes = {visit.outcome for visit in visits if visit.file.endswith(".blend")}
-    allowed = {"importer refused"} if ".blend" in REFUSED_BY_BLENDER else set()
-    assert outcomes - allowed == {"rendered"}
+    assert outcomes == {"rendered"}
 
 
 def test_every_format_with_faces_is_rendered(visits):
@@ -39,4 +50,4 @@ def test_every_format_with_faces_is_rendered(visits):
 
     refused = {"importer refused", "importer died"}
     assert endings({"rendered"}) >= endings({"rendered", "nothing to see"}) - NOTHING_TO_SEE_IN
-    assert endings({"rendered", "nothing to see"}) >= endings(refused) - REFUSED_BY_BLENDER
+    assert endings({"rendered", "nothing to see"}) >= endings(refused)
