@@ -193,8 +193,14 @@ void bind_render(py::module_& m)
 
     py::list passes;
     for (const PassInfo& pass : pass_table) {
-        passes.append(py::make_tuple(std::string(pass.name), pass.channels(),
-                                     std::string(pass.channel_ids)));
+        const py::tuple row =
+            py::make_tuple(std::string(pass.name), pass.channels(), std::string(pass.channel_ids));
+        // Not a picture to look at, but what merges pictures.
+        if (pass.pass == Pass::SampleWeight) {
+            m.attr("SAMPLE_WEIGHT") = row;
+        } else {
+            passes.append(row);
+        }
     }
     m.attr("PASSES") = passes;
 
@@ -270,7 +276,9 @@ void bind_render(py::module_& m)
         .def_property_readonly("plan_text",
                                [](const Engine& engine) { return engine.plan().text(); })
         .def_property_readonly("warnings", &Engine::warnings)
-        .def_property_readonly("metadata", &Engine::metadata)
+        .def_property_readonly("facts", &Engine::facts,
+                               "What is known about the picture's making, numbers as numbers.")
+        .def_property_readonly("metadata", &Engine::metadata, "The facts as texts, for files.")
         .def_property_readonly("pupil_mm",
                                [](const Engine& engine) { return engine.eye().pupil_mm; })
         .def_property_readonly("luminance_cd_m2",

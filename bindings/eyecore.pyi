@@ -13,6 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 PASSES: list[tuple[str, int, str]]  # name, channels, channel names
+# One more pass: by what each channel of Combined was divided, and in A Normal and Albedo. Pictures
+# I of sample ranges, with weights W, make the whole picture: sum(W * I) / sum(W).
+SAMPLE_WEIGHT: tuple[str, int, str]
 EYE_MODELS: list[str]
 REFRACTION_ZEROS: list[str]
 AMPLITUDE_FORMULAS: list[str]
@@ -337,6 +340,8 @@ class Session:
     def plan_text(self) -> str: ...
     @property
     def warnings(self) -> list[str]: ...
+    @property
+    def facts(self) -> dict[str, str | float]: ...
     @property
     def metadata(self) -> dict[str, str]: ...
     @property

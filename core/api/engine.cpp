@@ -172,60 +172,71 @@ std::string Engine::pupil_report() const
     return text;
 }
 
-std::map<std::string, std::string> Engine::metadata() const
+std::map<std::string, Fact> Engine::facts() const
 {
-    std::map<std::string, std::string> entries{
+    std::map<std::string, Fact> entries{
         {"rx", format_prescription(observer_.eye.rx)},
         {"rx_plane", std::string(to_string(observer_.eye.rx_plane))},
         {"model", std::string(to_string(observer_.eye.model))},
-        {"pupil_mm", number_text(eye_.pupil_mm)},
-        {"accommodation_d", number_text(eye_.accommodation_d)},
-        {"age_years", number_text(observer_.age_years)},
+        {"pupil_mm", eye_.pupil_mm},
+        {"accommodation_d", eye_.accommodation_d},
+        {"accommodation_amplitude_d", eye_.amplitude_d},
+        {"age_years", observer_.age_years},
         {"amplitude_formula", std::string(to_string(observer_.amplitude_formula))},
         {"samples", range_text(samples_of(settings_))},
         {"seed", std::to_string(settings_.seed)},
         {"max_bounces", std::to_string(settings_.max_bounces)},
-        {"filter_width_px", number_text(settings_.filter_width_px)},
+        {"filter_width_px", settings_.filter_width_px},
         {"pupil_pattern", std::string(to_string(settings_.pattern))},
         {"chromatic", plan_.chromatic ? "yes" : "no"},
         {"stiles_crawford", plan_.stiles_crawford ? "yes" : "no"},
     };
     if (observer_.eye.rx_plane == RxPlane::Spectacle) {
-        entries["vertex_mm"] = number_text(observer_.eye.vertex_mm);
+        entries["vertex_mm"] = observer_.eye.vertex_mm;
     }
     if (!observer_.pupil_mm && observer_.eye.model != EyeModelKind::Pinhole) {
-        entries["pupil_formula"] = to_string(observer_.pupil_formula);
-        entries["luminance_cd_m2"] = number_text(eye_.luminance_cd_m2);
-        entries["cd_m2_per_unit"] = number_text(observer_.cd_m2_per_unit);
-        entries["luminance_sigma"] = number_text(observer_.luminance_sigma);
-        entries["field_area_deg2"] = number_text(eye_.field_area_deg2);
+        entries["pupil_formula"] = std::string(to_string(observer_.pupil_formula));
+        entries["luminance_cd_m2"] = eye_.luminance_cd_m2;
+        entries["cd_m2_per_unit"] = observer_.cd_m2_per_unit;
+        entries["luminance_sigma"] = observer_.luminance_sigma;
+        entries["field_area_deg2"] = eye_.field_area_deg2;
         entries["eyes"] = std::to_string(observer_.eyes);
         if (!eye_.pupil_clamps.empty()) {
             entries["pupil_clamps"] = joined(eye_.pupil_clamps);
         }
     }
     if (is_schematic(observer_.eye.model)) {
-        entries["refraction_zero"] = to_string(observer_.eye.refraction_zero);
+        entries["refraction_zero"] = std::string(to_string(observer_.eye.refraction_zero));
         entries["exact_trace"] = observer_.eye.exact_trace ? "yes" : "no";
-        entries["fit_residual_arcmin"] = number_text(eye_.model->approximation_arcmin());
+        entries["fit_residual_arcmin"] = eye_.model->approximation_arcmin();
     }
     if (observer_.eye.model == EyeModelKind::Wavefront) {
         entries["wavefront"] =
             observer_.eye.wavefront ? wavefront_text(*observer_.eye.wavefront) : "population mean";
     }
     if (observer_.eye.correction != Correction::None) {
-        entries["correction"] = to_string(observer_.eye.correction);
+        entries["correction"] = std::string(to_string(observer_.eye.correction));
         entries["worn"] =
             observer_.eye.worn ? format_prescription(*observer_.eye.worn) : "full correction";
         if (observer_.eye.near_part) {
             entries["worn_part"] = "near";
         }
     }
-    entries["focus"] = to_string(observer_.focus);
+    entries["focus"] = std::string(to_string(observer_.focus));
     if (observer_.focus != FocusMode::Relaxed) {
-        entries["focus_m"] = number_text(eye_.focus_distance_m);
+        entries["focus_m"] = eye_.focus_distance_m;
     }
     return entries;
+}
+
+std::map<std::string, std::string> Engine::metadata() const
+{
+    std::map<std::string, std::string> texts;
+    for (const auto& [key, fact] : facts()) {
+        const double* const number = std::get_if<double>(&fact);
+        texts[key] = number != nullptr ? number_text(*number) : std::get<std::string>(fact);
+    }
+    return texts;
 }
 
 }  // namespace eye_render

@@ -12,9 +12,12 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace eye_render {
+
+using Fact = std::variant<std::string, double>;
 
 class Engine {
 public:
@@ -35,7 +38,10 @@ public:
     // One line on the pupil: how wide, and what made it so.
     [[nodiscard]] std::string pupil_report() const;
 
-    // What a picture's file should say about its making; keys without the `eye_render:` prefix.
+    // What is known about the picture's making: who looks, with what, and how it is rendered.
+    [[nodiscard]] std::map<std::string, Fact> facts() const;
+
+    // The facts as a picture's file should say them; keys without the `eye_render:` prefix.
     [[nodiscard]] std::map<std::string, std::string> metadata() const;
 
 private:

@@ -44,25 +44,25 @@ double focus_distance_m(const Observer& observer,
 
 void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& relaxed_eye)
 {
+    const double of_age_d =
+        accommodation_amplitude_d(observer.age_years, observer.amplitude_formula);
+    eye.amplitude_d = std::min(of_age_d, relaxed_eye.max_accommodation_d());
     if (observer.focus == FocusMode::Relaxed) {
         return;
     }
     const PowerMatrix error_d = relaxed_eye.error_d(1.0 / eye.focus_distance_m);
-    const double of_age_d =
-        accommodation_amplitude_d(observer.age_years, observer.amplitude_formula);
-    const double amplitude_d = std::min(of_age_d, relaxed_eye.max_accommodation_d());
     const double wanted_d = -error_d.mean_d();
-    eye.accommodation_d = best_accommodation_d(error_d, amplitude_d);
+    eye.accommodation_d = best_accommodation_d(error_d, eye.amplitude_d);
     const std::string object = std::isfinite(eye.focus_distance_m)
                                    ? "at " + number_text(eye.focus_distance_m) + " m"
                                    : "far away";
-    if (wanted_d > amplitude_d) {
+    if (wanted_d > eye.amplitude_d) {
         eye.notes.push_back("focus: seeing sharply " + object + " takes " + number_text(wanted_d) +
                             " D of accommodation; " +
-                            (amplitude_d < of_age_d
+                            (eye.amplitude_d < of_age_d
                                  ? "this eye model has "
                                  : "at " + number_text(observer.age_years) + " years there are ") +
-                            number_text(amplitude_d) + " D");
+                            number_text(eye.amplitude_d) + " D");
     } else if (wanted_d < 0.0) {
         eye.notes.push_back("focus: what lies " + object +
                             " is beyond the far point; the relaxed eye is " +

@@ -17,6 +17,7 @@ struct ObserverEye {
     std::shared_ptr<const EyeModel> model;
     double pupil_mm = 0.0;
     double accommodation_d = 0.0;
+    double amplitude_d = 0.0;       // the most that the age and the eye model allow
     double focus_distance_m = 0.0;  // what it tries to see sharply; infinity when far or relaxed
     // What an automatic pupil answered to; 0 with a manual one.
     double luminance_cd_m2 = 0.0;

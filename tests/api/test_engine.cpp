@@ -229,6 +229,29 @@ TEST(Engine, metadata_names_the_observer)
     EXPECT_EQ(metadata.at("pupil_mm"), "4");
 }
 
+TEST(Engine, facts_have_the_numbers_that_metadata_rounds)
+{
+    Observer observer = myope(-2.0);
+    observer.pupil_mm = 3.123456789;
+    const Engine engine(wall(2.0, 1.0f), observer, {});
+    EXPECT_EQ(std::get<double>(engine.facts().at("pupil_mm")), 3.123456789);
+    EXPECT_EQ(engine.metadata().at("pupil_mm"), "3.12346");
+}
+
+TEST(Engine, amplitude_is_the_least_of_what_age_and_model_allow)
+{
+    const auto amplitude_d = [](EyeModelKind model) {
+        Observer child = myope(0.0);
+        child.age_years = 8.0;
+        child.eye.model = model;
+        const Engine engine(wall(2.0, 1.0f), child, {});
+        return std::get<double>(engine.facts().at("accommodation_amplitude_d"));
+    };
+    const double of_age_d = accommodation_amplitude_d(8.0, AmplitudeFormula::HofstetterMean);
+    EXPECT_EQ(amplitude_d(EyeModelKind::Paraxial), of_age_d);
+    EXPECT_LT(amplitude_d(EyeModelKind::Navarro), of_age_d);
+}
+
 TEST(Engine, refuses_numbers_out_of_range)
 {
     const auto refusal = [](const Observer& observer, const RenderSettings& settings) {
