@@ -249,7 +249,7 @@ TEST(Engine, amplitude_is_the_least_of_what_age_and_model_allow)
     };
     const double of_age_d = accommodation_amplitude_d(8.0, AmplitudeFormula::HofstetterMean);
     EXPECT_EQ(amplitude_d(EyeModelKind::Paraxial), of_age_d);
-    EXPECT_LT(amplitude_d(EyeModelKind::Navarro), of_age_d);
+    EXPECT_LT(amplitude_d(EyeModelKind::Arizona), of_age_d);
 }
 
 TEST(Engine, refuses_numbers_out_of_range)
