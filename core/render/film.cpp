@@ -23,6 +23,8 @@ constexpr std::size_t combined_sums = 1;
 constexpr std::size_t normal_sums = 5;
 constexpr std::size_t albedo_sums = 8;
 
+constexpr std::size_t rgba = 4;
+
 void add_weighted(double* sums, const V3f& value, const V3d& weight)
 {
     sums[0] += static_cast<double>(value.x) * weight.x;
@@ -121,18 +123,29 @@ void Film::write_mean(std::vector<float>& pixels, std::size_t first, std::size_t
 
 void Film::write_combined(std::vector<float>& pixels) const
 {
-    constexpr std::size_t rgba = 4;
-    write_mean(pixels, combined_sums, rgba);
-    if (!layout_.chromatic) {
-        return;
-    }
     float* out = pixels.data();
-    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride(), out += rgba) {
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const double weight = divisor(sums_[i + layout_.channel_weights() + channel]);
-            out[channel] = static_cast<float>(sums_[i + combined_sums + channel] / weight);
+    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
+        for (std::size_t channel = 0; channel < rgba; ++channel) {
+            const double weight = divisor(sums_[i + weight_of(channel)]);
+            *out++ = static_cast<float>(sums_[i + combined_sums + channel] / weight);
         }
     }
+}
+
+void Film::write_sample_weight(std::vector<float>& pixels) const
+{
+    float* out = pixels.data();
+    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
+        for (std::size_t channel = 0; channel < rgba; ++channel) {
+            *out++ = static_cast<float>(sums_[i + weight_of(channel)]);
+        }
+    }
+}
+
+std::size_t Film::weight_of(std::size_t channel) const
+{
+    const bool is_color = channel < 3;
+    return layout_.chromatic && is_color ? layout_.channel_weights() + channel : weight_sum;
 }
 
 RayFates Film::fates() const
@@ -161,6 +174,7 @@ std::vector<PassImage> Film::snapshot(std::span<const Pass> passes) const
         case Pass::Depth: write_chief(&ChiefSample::depth); break;
         case Pass::Defocus: write_chief(&ChiefSample::defocus_d); break;
         case Pass::Blur: write_chief(&ChiefSample::blur_arcmin); break;
+        case Pass::SampleWeight: write_sample_weight(image.pixels); break;
         }
         images.push_back(std::move(image));
     }

@@ -111,6 +111,10 @@ public:
 private:
     void write_mean(std::vector<float>& pixels, std::size_t first, std::size_t channels) const;
     void write_combined(std::vector<float>& pixels) const;
+    void write_sample_weight(std::vector<float>& pixels) const;
+
+    // Where a pixel keeps the sum of the weights that went into a channel of Combined.
+    [[nodiscard]] std::size_t weight_of(std::size_t channel) const;
 
     PixelBounds bounds_;
     FilmLayout layout_;

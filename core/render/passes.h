@@ -10,14 +10,15 @@
 
 namespace eye_render {
 
-enum class Pass { Combined, Depth, Normal, Albedo, Defocus, Blur };
+enum class Pass { Combined, Depth, Normal, Albedo, Defocus, Blur, SampleWeight };
 
 struct PassInfo {
     Pass pass;
     std::string_view name;
     std::string_view channel_ids;
-    // True: the mean over all samples. False: what the ray through the pixel's centre and the
-    // pupil's centre meets, which neither blur nor antialiasing mixes with its neighbours.
+    // True: the mean over all samples, or what belongs to it. False: what the ray through the
+    // pixel's centre and the pupil's centre meets, which neither blur nor antialiasing mixes with
+    // its neighbours.
     bool is_mean;
 
     [[nodiscard]] constexpr std::size_t channels() const { return channel_ids.size(); }
@@ -37,6 +38,10 @@ inline constexpr std::array pass_table{
     // Major diameter of the blur ellipse, arcmin: of focus and astigmatism as on the axis, without
     // aberrations of higher order.
     PassInfo{Pass::Blur, "Blur", "X", false},
+    // By what Combined was divided, channel by channel, and in A the other means: the number of
+    // samples, unless wavelengths or points of the pupil count differently. Pictures I of sample
+    // ranges, with weights W, make the whole: sum(W I) / sum(W).
+    PassInfo{Pass::SampleWeight, "Sample Weight", "RGBA", true},
 };
 
 [[nodiscard]] constexpr const PassInfo& info(Pass pass)

@@ -21,12 +21,25 @@ def lit_quad(**material) -> eyecore.Scene:
     return scene
 
 
+def edge_before_nothing() -> eyecore.Scene:
+    """A square whose upper edge lies across the picture; the world is seen above it."""
+    scene = eyecore.Scene()
+    paint = scene.add_material("paint", "EMISSION", emission_color=(1.0, 0.5, 0.25))
+    at = np.eye(4)
+    at[:3, 3] = (0.0, -1.0, -2.0)
+    scene.add_instances(scene.add_mesh("quad", QUAD, TRIANGLES), at[None], [paint])
+    scene.set_world(color=(1.0, 1.0, 1.0))
+    scene.set_camera(np.eye(4), (-0.2, 0.2, -0.1, 0.1), (16, 8))
+    return scene
+
+
 def test_render_gives_each_pass_as_an_array_of_its_shape() -> None:
-    names = [name for name, _, _ in eyecore.PASSES]
+    passes = [*eyecore.PASSES, eyecore.SAMPLE_WEIGHT]
+    names = [name for name, _, _ in passes]
     images = eyecore.render(
         lit_quad(), eyecore.Observer(pupil=4), eyecore.Settings(samples=4, passes=names)
     )
-    for name, channels, channel_ids in eyecore.PASSES:
+    for name, channels, channel_ids in passes:
         assert len(channel_ids) == channels
         assert images[name].shape == (8, 16, channels)
         assert images[name].dtype == np.float32
@@ -35,6 +48,7 @@ def test_render_gives_each_pass_as_an_array_of_its_shape() -> None:
     assert images["Depth"] == pytest.approx(2.0, abs=1e-5)
     assert images["Normal"][4, 8] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
     assert images["Albedo"] == pytest.approx(0.5, abs=1e-6)
+    assert (images["Sample Weight"] == 4.0).all()
 
 
 def test_rows_are_bottom_up() -> None:
@@ -205,12 +219,36 @@ def test_waiting_forever_is_waiting() -> None:
         session.wait(float("nan"))
 
 
+@pytest.mark.parametrize("stiles_crawford", [False, True])
+@pytest.mark.parametrize("chromatic", [False, True])
 @pytest.mark.parametrize("pattern", eyecore.PUPIL_PATTERNS)
-def test_sample_ranges_merge_into_the_whole_with_every_pattern(pattern: str) -> None:
-    def part(sample_range):
-        settings = eyecore.Settings(samples=32, sample_range=sample_range, pattern=pattern)
-        observer = eyecore.Observer(rx="-12.00DS", pupil=6)
-        return eyecore.render(lit_quad(), observer, settings)["Combined"]
+def test_sample_ranges_merge_into_the_whole_with_every_pattern(
+    pattern: str, chromatic: bool, stiles_crawford: bool
+) -> None:
+    scene = edge_before_nothing()
 
-    merged = (part((0, 16)) + part((16, 32))) / 2
-    assert merged == pytest.approx(part(None), abs=1e-6)
+    def part(sample_range):
+        settings = eyecore.Settings(
+            samples=32,
+            sample_range=sample_range,
+            pattern=pattern,
+            chromatic=chromatic,
+            stiles_crawford=stiles_crawford,
+            film_transparent=True,
+            passes=["Combined", "Albedo", "Sample Weight"],
+        )
+        observer = eyecore.Observer(rx="-12.00DS", pupil=6)
+        passes = eyecore.render(scene, observer, settings)
+        weight = passes["Sample Weight"].astype(np.float64)
+        return passes["Combined"], passes["Albedo"], weight
+
+    whole_picture, whole_albedo, whole_weight = part(None)
+    parts = [part((0, 3)), part((3, 20)), part((20, 32))]
+    weight = sum(weight for _, _, weight in parts)
+    picture = sum(weight * picture for picture, _, weight in parts) / weight
+    albedo = sum(weight[:, :, 3:] * albedo for _, albedo, weight in parts) / weight[:, :, 3:]
+    # Pictures of up to 1 are rounded to float thrice: as parts, as weights and as the whole.
+    assert picture == pytest.approx(whole_picture, abs=3 * 2.0**-24)
+    assert albedo == pytest.approx(whole_albedo, abs=3 * 2.0**-24)
+    assert weight == pytest.approx(whole_weight, rel=2.0**-22)
+    assert np.ptp(whole_picture[:, :, 3]) > 0.1, "the edge must show"

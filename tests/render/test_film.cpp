@@ -60,6 +60,42 @@ TEST(Film, counts_what_the_eye_did_with_the_rays_and_leaves_the_lost_ones_out)
     EXPECT_EQ(film.snapshot(passes)[0].pixels[0], 3.0f);
 }
 
+TEST(Film, pictures_of_parts_merge_by_their_sample_weights)
+{
+    const auto add = [](Film& film, float radiance, const V3d& channel_weight, double weight) {
+        FilmTile tile = film.take({0, 0, 1, 1});
+        PathSample sample = sample_at(0, 0, radiance, weight);
+        sample.channel_weight = channel_weight;
+        tile.add(sample);
+        film.put(tile);
+    };
+    const PixelBounds pixel{0, 0, 1, 1};
+    Film first(pixel, {.chromatic = true});
+    Film second(pixel, {.chromatic = true});
+    Film whole(pixel, {.chromatic = true});
+    for (Film* film : {&first, &whole}) {
+        add(*film, 1.0f, V3d(3.0, 1.0, 0.0), 0.5);
+    }
+    for (Film* film : {&second, &whole}) {
+        add(*film, 8.0f, V3d(0.25, 1.0, 2.0), 2.0);
+    }
+    const Pass passes[] = {Pass::Combined, Pass::SampleWeight};
+    const auto a = first.snapshot(passes);
+    const auto b = second.snapshot(passes);
+    const auto all = whole.snapshot(passes);
+    EXPECT_EQ(a[1].pixels, (std::vector<float>{1.5f, 0.5f, 0.0f, 0.5f}));
+    EXPECT_EQ(b[1].pixels, (std::vector<float>{0.5f, 2.0f, 4.0f, 2.0f}));
+    for (std::size_t channel = 0; channel < 4; ++channel) {
+        const float weight = a[1].pixels[channel] + b[1].pixels[channel];
+        EXPECT_EQ(weight, all[1].pixels[channel]);
+        EXPECT_FLOAT_EQ((a[1].pixels[channel] * a[0].pixels[channel] +
+                         b[1].pixels[channel] * b[0].pixels[channel]) /
+                            weight,
+                        all[0].pixels[channel])
+            << "channel " << channel;
+    }
+}
+
 TEST(Film, shows_chief_samples_as_they_are)
 {
     Film film({0, 0, 1, 1}, {.chief = true});
