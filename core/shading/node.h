@@ -1,0 +1,182 @@
+// One kind of shader node, and one node compiled into a program.
+//
+// A node kind is a row of plain data (NodeType): its sockets under Blender's identifiers, the
+// options it knows under Blender's property names, and how to make the evaluated node from them.
+// Node kinds live one or a family a file in shading/nodes/ and are listed in node_types.cpp: a new
+// one touches its own file and that list.
+//
+// Values are pulled: a node asks for the inputs it needs, and each node of a program is evaluated
+// at most once a hit. A node whose inputs are all constants, and that reads nothing of the hit, is
+// evaluated when the program is compiled.
+
+#pragma once
+
+#include "base/vector.h"
+#include "shading/bsdf.h"
+#include "shading/hit_attributes.h"
+#include "shading/node_options.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace eye_render {
+
+// A number is in x; a vector or a colour is in x, y and z. Colours are linear Rec. 709.
+using NodeValue = V3f;
+
+enum class SocketType : std::uint8_t { Number, Vector, Color, Shader };
+
+// What an input that nothing is linked to reads in place of its value.
+enum class ImplicitInput : std::uint8_t { None, Generated, Uv, Normal, Incoming };
+
+struct InputSocket {
+    std::string_view identifier;
+    SocketType type = SocketType::Number;
+    NodeValue value{0.0f};
+    ImplicitInput implicit = ImplicitInput::None;
+};
+
+struct OutputSocket {
+    std::string_view identifier;
+    SocketType type = SocketType::Number;
+};
+
+// World-space geometry of a hit, already turned to the viewer: dot(wo, ng) > 0.
+struct ShadingPoint {
+    V3f wo;                   // unit, towards where the ray came from
+    V3f ng;                   // unit geometric normal
+    V3f ns;                   // unit interpolated normal
+    bool backfacing = false;  // the ray hit the side that the mesh's winding calls its back
+    float footprint = 0.0f;   // width that one pixel has here, world units; 0 if nobody knows
+};
+
+// How the path came to the hit: what the Light Path node tells.
+struct PathState {
+    bool is_camera = true;
+    bool is_shadow = false;
+    bool is_diffuse = false;
+    bool is_glossy = false;
+    bool is_singular = false;
+    bool is_reflection = false;
+    bool is_transmission = false;
+    float length = 0.0f;  // of the last ray, world units
+    int depth = 0;
+    int diffuse_depth = 0;
+    int glossy_depth = 0;
+    int transparent_depth = 0;
+    int transmission_depth = 0;
+};
+
+// All that a program is evaluated from.
+struct Hit {
+    const ShadingPoint& point;
+    const HitAttributes& attributes;
+    const PathState& path;
+};
+
+class ProgramRun;
+struct ProgramStep;
+
+// The inputs of one node at one hit.
+class NodeInputs {
+public:
+    NodeInputs(ProgramRun& run, const ProgramStep& step) : run_(run), step_(step) {}
+
+    // A colour read as a number is its luminance, a vector read as a number its mean, and a number
+    // read as either fills all three: as Blender converts.
+    [[nodiscard]] float number(std::size_t input) const;
+    [[nodiscard]] V3f vector(std::size_t input) const;
+    [[nodiscard]] Color3f color(std::size_t input) const { return vector(input); }
+
+    // The number as it would be at another place of the surface.
+    [[nodiscard]] float number_at(std::size_t input, const HitAttributes& attributes) const;
+
+    // False for an output that nobody asks for: it may stay unset.
+    [[nodiscard]] bool wants(std::size_t output) const;
+
+    [[nodiscard]] const Hit& hit() const;
+
+private:
+    ProgramRun& run_;
+    const ProgramStep& step_;
+};
+
+class ValueNode {
+public:
+    virtual ~ValueNode() = default;
+    virtual void evaluate(const NodeInputs& in, std::span<NodeValue> outputs) const = 0;
+};
+
+// What is known of a closure's inputs before any hit: its value where it is constant.
+using ConstantInputs = std::span<const std::optional<NodeValue>>;
+
+struct ClosureFacts {
+    bool may_be_transparent = false;  // light may pass straight through at some hit
+    bool may_emit = false;
+    int lobes = 0;  // added to the mixture at most
+};
+
+struct ShadedPoint {
+    Bsdf bsdf;
+    Color3f emission{0.0f};  // radiance towards wo
+    bool is_holdout = false;
+};
+
+// A BSDF or an emission: the leaves of a tree of Mix and Add Shader. `weight` is in (0, 1] but for
+// sums, where it may be more.
+class ClosureNode {
+public:
+    virtual ~ClosureNode() = default;
+
+    [[nodiscard]] virtual ClosureFacts facts(ConstantInputs constants) const = 0;
+
+    // Adds what scatters and what shines.
+    virtual void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const = 0;
+
+    // The part of the light that passes straight through, without building the BSDF.
+    [[nodiscard]] virtual Color3f straight_transmittance(const NodeInputs& /*in*/) const
+    {
+        return Color3f(0.0f);
+    }
+
+    // Radiance towards the viewer, for light sampling.
+    [[nodiscard]] virtual Color3f emission(const NodeInputs& /*in*/) const
+    {
+        return Color3f(0.0f);
+    }
+};
+
+// Resources of the scene that nodes name; the scene gives numbers to names.
+class NodeResources {
+public:
+    virtual ~NodeResources() = default;
+    // The empty name is a mesh's active layer.
+    [[nodiscard]] virtual int uv_layer(const std::string& name) = 0;
+    [[nodiscard]] virtual int attribute(const std::string& name) = 0;
+    // Throws std::invalid_argument unless there is a texture of that number.
+    virtual void require_texture(int texture) = 0;
+};
+
+enum class NodeRole : std::uint8_t { Value, Closure, MixShader, AddShader };
+
+struct NodeType {
+    std::string_view name;  // Blender's node.type: "MATH", "TEX_NOISE", "BSDF_DIFFUSE"
+    std::span<const InputSocket> inputs;
+    std::span<const OutputSocket> outputs;
+    std::span<const std::string_view> options;  // the properties it knows
+    NodeRole role = NodeRole::Value;
+    bool reads_hit = false;  // false: a function of its inputs alone
+    // The one that fits the role. Throw std::invalid_argument for an option out of range.
+    std::unique_ptr<const ValueNode> (*make_value)(const NodeOptions&, NodeResources&) = nullptr;
+    std::unique_ptr<const ClosureNode> (*make_closure)(const NodeOptions&,
+                                                       NodeResources&) = nullptr;
+};
+
+// All node kinds, by name.
+[[nodiscard]] std::span<const NodeType* const> node_types();
+[[nodiscard]] const NodeType* node_type_named(std::string_view name);
+
+}  // namespace eye_render

@@ -1,0 +1,28 @@
+// The node kinds, one table a family; node_types.cpp joins them.
+
+#pragma once
+
+#include "shading/node.h"
+
+#include <span>
+
+namespace eye_render {
+
+// Surfaces: Principled, Diffuse, Emission, …
+[[nodiscard]] std::span<const NodeType> closure_nodes();
+// Noise, Voronoi, Wave, …: a value for a point of space.
+[[nodiscard]] std::span<const NodeType> procedural_texture_nodes();
+// Image and environment pictures.
+[[nodiscard]] std::span<const NodeType> image_texture_nodes();
+// Math, Vector Math, Map Range, …
+[[nodiscard]] std::span<const NodeType> math_nodes();
+// Mix, Curves, Colour Ramp, Hue/Saturation, …
+[[nodiscard]] std::span<const NodeType> color_nodes();
+// Texture Coordinate, Geometry, Object Info, Light Path, …: what is read from the hit.
+[[nodiscard]] std::span<const NodeType> input_nodes();
+// Normal Map, Bump, Displacement: what bends the normal.
+[[nodiscard]] std::span<const NodeType> normal_nodes();
+// Sky Texture.
+[[nodiscard]] std::span<const NodeType> sky_nodes();
+
+}  // namespace eye_render
