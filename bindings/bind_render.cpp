@@ -65,6 +65,19 @@ Observer make_observer(const std::string& model,
     return observer;
 }
 
+// A mode's name, or True for the one that keeps the picture's brightness.
+StilesCrawfordMode stiles_crawford_from(const py::object& mode)
+{
+    if (py::isinstance<py::bool_>(mode)) {
+        return mode.cast<bool>() ? StilesCrawfordMode::Brightness : StilesCrawfordMode::Off;
+    }
+    if (!py::isinstance<py::str>(mode)) {
+        throw std::invalid_argument("stiles_crawford is " + text_of(mode) +
+                                    "; expected one of STILES_CRAWFORD_MODES or a bool");
+    }
+    return named_of("stiles_crawford", mode.cast<std::string>(), stiles_crawford_modes);
+}
+
 RenderSettings make_settings(std::uint32_t samples,
                              int max_bounces,
                              std::uint64_t seed,
@@ -75,7 +88,7 @@ RenderSettings make_settings(std::uint32_t samples,
                              bool film_transparent,
                              double filter_width_px,
                              bool chromatic,
-                             bool stiles_crawford)
+                             const py::object& stiles_crawford)
 {
     RenderSettings settings;
     settings.samples = samples;
@@ -97,7 +110,7 @@ RenderSettings make_settings(std::uint32_t samples,
     settings.film_transparent = film_transparent;
     settings.filter_width_px = filter_width_px;
     settings.chromatic = chromatic;
-    settings.stiles_crawford = stiles_crawford;
+    settings.stiles_crawford = stiles_crawford_from(stiles_crawford);
     return settings;
 }
 
@@ -203,6 +216,7 @@ void bind_render(py::module_& m)
         }
     }
     m.attr("PASSES") = passes;
+    m.attr("STILES_CRAWFORD_MODES") = names_of(stiles_crawford_modes);
 
     py::class_<Observer>(m, "Observer", "Who looks: prescription, pupil, focus, age.")
         .def(py::init(&make_observer), py::kw_only(), "model"_a = "paraxial", "rx"_a = "plano",
@@ -225,9 +239,13 @@ void bind_render(py::module_& m)
              "seed"_a = 0, "sample_range"_a = py::none(), "pattern"_a = "SOBOL",
              "passes"_a = std::vector<std::string>{"Combined"}, "threads"_a = 0,
              "film_transparent"_a = false, "filter_width_px"_a = 1.5, "chromatic"_a = false,
-             "stiles_crawford"_a = false,
+             "stiles_crawford"_a = "OFF",
              "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
-             "all.")
+             "all.\n"
+             "stiles_crawford: 'BRIGHTNESS' (or True) shapes blur alone; with 'ENERGY' the "
+             "picture\n"
+             "darkens to what part of the pupil is as good as its peak, and where the eye loses\n"
+             "rays.")
         .def("__repr__", &settings_text);
 
     py::class_<Engine>(m, "Session", "One render: start, wait, look, cancel.")

@@ -21,6 +21,7 @@ REFRACTION_ZEROS: list[str]
 AMPLITUDE_FORMULAS: list[str]
 PUPIL_FORMULAS: list[str]
 PUPIL_PATTERNS: list[str]
+STILES_CRAWFORD_MODES: list[str]
 
 class Prescription:
     def __init__(
@@ -317,7 +318,7 @@ class Settings:
         film_transparent: bool = False,
         filter_width_px: float = 1.5,
         chromatic: bool = False,
-        stiles_crawford: bool = False,
+        stiles_crawford: str | bool = "OFF",
     ) -> None: ...
 
 class Session:

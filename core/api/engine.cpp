@@ -119,24 +119,28 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     job.scene = std::make_shared<Scene>(data, frame.position_world);
     job.frame = frame;
     eye_ = make_observer_eye(observer, job.scene, frame, settings.threads);
-    plan_lens(plan_, data, frame, *eye_.model, settings.chromatic, settings.stiles_crawford);
+    const bool weighs_pupil = settings.stiles_crawford != StilesCrawfordMode::Off;
+    plan_lens(plan_, data, frame, *eye_.model, settings.chromatic, weighs_pupil);
     job.eye = eye_.model;
     job.pattern = make_pupil_pattern(settings.pattern, settings.samples);
     job.lens = plan_.lens;
     job.chromatic = plan_.chromatic;
+    const StilesCrawford cones(cone_directivity(observer.eye.rx.eye), job.eye->pupil_diameter_m());
     if (plan_.stiles_crawford) {
-        job.stiles_crawford.emplace(cone_directivity(observer.eye.rx.eye),
-                                    job.eye->pupil_diameter_m());
+        job.stiles_crawford = cones;
+    }
+    SessionSettings session{.samples = samples_of(settings),
+                            .passes = settings.passes,
+                            .chief_rays = plan_.chief_ray,
+                            .threads = settings.threads};
+    if (settings.stiles_crawford == StilesCrawfordMode::Energy) {
+        session.efficiency = cones.effective_area_ratio();
     }
     job.integrator = {.max_bounces = settings.max_bounces,
                       .film_transparent = settings.film_transparent,
                       .first_surface = plan_.first_surface};
     job.seed = settings.seed;
-    session_ =
-        std::make_unique<Session>(std::move(job), SessionSettings{.samples = samples_of(settings),
-                                                                  .passes = settings.passes,
-                                                                  .chief_rays = plan_.chief_ray,
-                                                                  .threads = settings.threads});
+    session_ = std::make_unique<Session>(std::move(job), std::move(session));
 }
 
 std::vector<std::string> Engine::warnings() const
@@ -189,7 +193,7 @@ std::map<std::string, Fact> Engine::facts() const
         {"filter_width_px", settings_.filter_width_px},
         {"pupil_pattern", std::string(to_string(settings_.pattern))},
         {"chromatic", plan_.chromatic ? "yes" : "no"},
-        {"stiles_crawford", plan_.stiles_crawford ? "yes" : "no"},
+        {"stiles_crawford", std::string(to_string(settings_.stiles_crawford))},
     };
     if (observer_.eye.rx_plane == RxPlane::Spectacle) {
         entries["vertex_mm"] = observer_.eye.vertex_mm;

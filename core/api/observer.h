@@ -45,8 +45,8 @@ struct RenderSettings {
     int threads = 0;  // 0: all the processor has
     bool film_transparent = false;
     double filter_width_px = 1.5;
-    bool chromatic = false;        // each path at a wavelength of its own
-    bool stiles_crawford = false;  // cones favour light from the middle of the pupil
+    bool chromatic = false;  // each path at a wavelength of its own
+    StilesCrawfordMode stiles_crawford = StilesCrawfordMode::Off;
 };
 
 }  // namespace eye_render

@@ -31,6 +31,16 @@ double mean_efficiency(const ConeDirectivity& directivity, double pupil_radius_m
 
 }  // namespace
 
+std::string_view to_string(StilesCrawfordMode mode)
+{
+    switch (mode) {
+    case StilesCrawfordMode::Off: return "OFF";
+    case StilesCrawfordMode::Brightness: return "BRIGHTNESS";
+    case StilesCrawfordMode::Energy: return "ENERGY";
+    }
+    return "";
+}
+
 double ConeDirectivity::efficiency(const V2d& pupil_point_m) const
 {
     const double x_mm = mm_from_m(pupil_point_m.x - peak_m.x);

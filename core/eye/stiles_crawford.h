@@ -11,7 +11,23 @@
 #include "base/vector.h"
 #include "optics/prescription.h"
 
+#include <array>
+#include <string_view>
+
 namespace eye_render {
+
+// What becomes of the light that the cones see less of.
+enum class StilesCrawfordMode {
+    Off,         // all of the pupil counts the same
+    Brightness,  // the weights have the mean 1: blur is shaped, the picture keeps its brightness
+    Energy,      // the picture darkens by effective_area_ratio, and where the eye loses rays
+};
+
+inline constexpr std::array stiles_crawford_modes{
+    StilesCrawfordMode::Off, StilesCrawfordMode::Brightness, StilesCrawfordMode::Energy};
+
+// "OFF", "BRIGHTNESS", "ENERGY".
+[[nodiscard]] std::string_view to_string(StilesCrawfordMode mode);
 
 struct ConeDirectivity {
     double rho_x_per_mm2 = 0.047;  // horizontal

@@ -56,7 +56,7 @@ void copy_window(const std::vector<T>& from,
 void FilmTile::add(const PathSample& sample)
 {
     ++fates_[sample.fate];
-    if (sample.fate != RayFate::Transmitted) {
+    if (sample.fate != RayFate::Transmitted && !layout_.efficiency) {
         return;
     }
     double* sums = sums_.data() + pixel_index(bounds_, sample.x, sample.y) * layout_.stride();
@@ -127,7 +127,8 @@ void Film::write_combined(std::vector<float>& pixels) const
     for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
         for (std::size_t channel = 0; channel < rgba; ++channel) {
             const double weight = divisor(sums_[i + weight_of(channel)]);
-            *out++ = static_cast<float>(sums_[i + combined_sums + channel] / weight);
+            const double scale = channel < 3 ? layout_.efficiency.value_or(1.0) : 1.0;
+            *out++ = static_cast<float>(scale * sums_[i + combined_sums + channel] / weight);
         }
     }
 }

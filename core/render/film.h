@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <mutex>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -30,10 +31,8 @@ struct PathSample {
     // more in one than in the others. Means are taken channel by channel, so white stays white
     // as soon as every channel has had its share: from four samples on.
     V3d channel_weight{1.0};
-    // Lost rays are counted and left out of the means: the picture keeps its brightness where the
-    // eye vignettes, as seeing does.
     RayFate fate = RayFate::Transmitted;
-    PathRadiance light;
+    PathRadiance light;  // of a lost ray: black and opaque, as the inside of the eye is
 };
 
 // What the ray through the centres of pixel and pupil met, for the passes that are not means.
@@ -50,11 +49,16 @@ struct PassImage {
     std::vector<float> pixels;  // rows bottom-up, channels interleaved
 };
 
-// What the film keeps for a pixel: only what some pass of the plan needs is allocated.
+// What the film keeps for a pixel: only what some pass of the plan needs is allocated. And what
+// becomes of light that the eye loses.
 struct FilmLayout {
     bool first_surface = false;
     bool chief = false;
     bool chromatic = false;
+    // Nothing: the picture keeps its brightness, as seeing does; lost rays are counted and left
+    // out of the means. A number: what part of the light counts; the picture darkens to it, and
+    // by the lost rays, which are black.
+    std::optional<double> efficiency{};
 
     // Sums a pixel: weight, RGB, alpha, and on request normal and albedo, and the channels'
     // weights.

@@ -27,7 +27,8 @@ Session::Session(RenderJob job, SessionSettings settings)
       film_(job_.frame.border,
             {.first_surface = job_.integrator.first_surface,
              .chief = settings_.chief_rays,
-             .chromatic = job_.chromatic})
+             .chromatic = job_.chromatic,
+             .efficiency = settings_.efficiency})
 {
 }
 

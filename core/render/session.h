@@ -19,8 +19,9 @@ namespace eye_render {
 struct SessionSettings {
     SampleRange samples;
     std::vector<Pass> passes;
-    bool chief_rays = false;  // some pass needs them
-    int threads = 0;          // at most; 0: all the processor has
+    bool chief_rays = false;             // some pass needs them
+    std::optional<double> efficiency{};  // as FilmLayout has it
+    int threads = 0;                     // at most; 0: all the processor has
 };
 
 class Session {

@@ -75,12 +75,12 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
     const CameraRay camera = camera_ray(job.frame, *job.eye, job.frame.chief_slope(raster),
                                         sample.pupil_point_m, wavelength_nm);
     sample.fate = camera.fate;
+    if (job.stiles_crawford) {
+        sample.weight = job.stiles_crawford->weight(sample.pupil_point_m);
+    }
     if (camera.fate == RayFate::Transmitted) {
         sample.slope = camera.slope;
-        sample.weight = camera.weight;
-        if (job.stiles_crawford) {
-            sample.weight *= job.stiles_crawford->weight(sample.pupil_point_m);
-        }
+        sample.weight *= camera.weight;
         sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence);
     }
     return sample;

@@ -60,6 +60,19 @@ TEST(Film, counts_what_the_eye_did_with_the_rays_and_leaves_the_lost_ones_out)
     EXPECT_EQ(film.snapshot(passes)[0].pixels[0], 3.0f);
 }
 
+TEST(Film, darkens_by_the_eye_s_efficiency_and_by_lost_rays_on_request)
+{
+    Film film({0, 0, 1, 1}, {.efficiency = 0.5});
+    FilmTile tile = film.take({0, 0, 1, 1});
+    tile.add(sample_at(0, 0, 3.0f));
+    PathSample lost = sample_at(0, 0, 0.0f, 2.0);
+    lost.fate = RayFate::Missed;
+    tile.add(lost);
+    film.put(tile);
+    const Pass passes[] = {Pass::Combined};
+    EXPECT_EQ(film.snapshot(passes)[0].pixels, (std::vector<float>{0.5f, 0.5f, 0.5f, 1.0f}));
+}
+
 TEST(Film, pictures_of_parts_merge_by_their_sample_weights)
 {
     const auto add = [](Film& film, float radiance, const V3d& channel_weight, double weight) {
