@@ -5,11 +5,20 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
+import bpy
+
 from .options import HELP, OPTIONS, PRESCRIPTIONS, help_rows
 from .wavefront import WavefrontFile
 
 EXIT_STATUS = 2  # of a run with a bad option
 _PREFIX = "--eye"
+# Blender's own options that render, or run a script that may.
+_RENDERING = {"-f", "--render-frame", "-a", "--render-anim", "-P", "--python", "--python-text"} | {
+    "--python-expr",
+    "--python-console",
+    "-c",
+    "--command",
+}
 _LIKENESS = 0.75  # of a misspelling to the option meant, 1 for the same text
 
 
@@ -35,6 +44,7 @@ class Overrides:
     worn: str | None = None  # "none", "own" or a prescription
     wavefront: WavefrontFile | None = None
     report: Path | None = None
+    report_distances: tuple[float, ...] | None = None
 
 
 overrides = Overrides()
@@ -73,6 +83,18 @@ def parse(arguments: list[str]) -> Overrides:
     return result
 
 
+def check_report(read: Overrides, blenders_arguments: list[str]) -> None:
+    """OptionError for a report that a background Blender would end without."""
+    if read.report is None:
+        if read.report_distances is not None:
+            raise OptionError("--eye-report-distances is given without --eye-report FILE.json")
+    elif not _RENDERING & set(blenders_arguments):
+        raise OptionError(
+            f'--eye-report is "{read.report}", but nothing is rendered to report on; '
+            "expected -f FRAME or -a before --"
+        )
+
+
 def _unknown(option: str) -> str:
     alike = difflib.get_close_matches(option, OPTIONS, 1, _LIKENESS)
     hint = f" (did you mean {alike[0]}?)" if alike else ""
@@ -89,12 +111,15 @@ def help_text() -> str:
 def register():
     """Read this run's options; a bad one, or a call for help, ends Blender."""
     global overrides
-    arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
+    end = sys.argv.index("--") if "--" in sys.argv else len(sys.argv)
+    arguments = sys.argv[end + 1 :]
     if HELP in arguments:
         print(help_text(), flush=True)
         sys.exit(0)
     try:
         overrides = parse(arguments)
+        if bpy.app.background:
+            check_report(overrides, sys.argv[:end])
     except OptionError as error:
         print(f"Eye Render: {error}", file=sys.stderr, flush=True)
         sys.exit(EXIT_STATUS)

@@ -9,7 +9,7 @@ import numpy as np
 from . import batch, export, found, passes, reporting
 from .core import EyeRenderError
 from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
-from .observer import has_automatic_pupil, make_observer
+from .observer import has_automatic_pupil, make_observer, observer_arguments
 from .session import RenderSession, make_settings
 
 SLICE_S = 0.1  # between looks at the Esc key
@@ -93,12 +93,14 @@ def _render_view(
         warn("--eye-rx is for the right eye, but this picture is seen with the left")
     world_from_camera = np.array(engine.camera_model_matrix(camera))
     observer = make_observer(
-        settings,
-        scene.eye_render,
-        overrides,
-        eye,
-        focus_distance_m(depsgraph, camera, world_from_camera),
-        known_pupil.diameter_mm if known_pupil else None,
+        observer_arguments(
+            settings,
+            scene.eye_render,
+            overrides,
+            eye,
+            focus_distance_m(depsgraph, camera, world_from_camera),
+            known_pupil.diameter_mm if known_pupil else None,
+        )
     )
     core_settings = make_settings(scene, overrides, pass_names)
 
@@ -116,26 +118,27 @@ def _render_view(
                 pupil = found.pupil_by(session, where)
         for sentence in session.warnings:
             warn(sentence)
-        metadata = {**session.metadata, "eye": eye.lower()}
+        facts = {**session.facts, "eye": eye.lower()}
         if pupil:
-            metadata.update(pupil.metadata)
+            facts.update(pupil.facts)
             found.remember_pupil(camera.data, pupil)
         found.remember_focus(camera.data, session)
-        _stamp(engine, metadata, view_name)
+        _stamp(engine, facts, view_name)
         _show_until_finished(engine, depsgraph, session, frame, view_name)
         if session.lost_rays:
             _say(session.lost_rays)
         if overrides.report is not None:
-            _say(reporting.write_of_picture(overrides.report, observer, metadata, view_name))
+            _say(reporting.write_of_picture(overrides.report, observer, facts, view_name))
     return pupil
 
 
-def _stamp(engine: bpy.types.RenderEngine, metadata: dict[str, str], view_name: str) -> None:
+def _stamp(engine: bpy.types.RenderEngine, facts: dict[str, str | float], view_name: str) -> None:
     """Write the observer into the file's metadata; each stereo view has its own."""
     result = engine.get_result()
     suffix = f".{view_name}" if view_name else ""
-    for key, value in metadata.items():
-        result.stamp_data_add_field(f"eye_render:{key}{suffix}", value)
+    for key, fact in facts.items():
+        text = fact if isinstance(fact, str) else f"{fact:.6g}"
+        result.stamp_data_add_field(f"eye_render:{key}{suffix}", text)
 
 
 def _show_until_finished(

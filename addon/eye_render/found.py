@@ -8,7 +8,7 @@ from bpy.app.handlers import persistent
 
 from .session import RenderSession
 
-# What a picture's metadata says of where its automatic pupil came from.
+# What a session tells of where its automatic pupil came from.
 _ORIGIN = {
     "pupil_formula",
     "luminance_cd_m2",
@@ -26,16 +26,16 @@ class Pupil(NamedTuple):
     diameter_mm: float
     report: str  # one line: how wide, and what made it so
     where: str  # which picture found it, such as "frame 1"
-    metadata: dict[str, str]  # for the files of the pictures seen with it
+    facts: dict[str, str | float]  # for the files of the pictures seen with it
 
     @property
     def clamps(self) -> str:
         """What was out of a formula's range; empty if nothing was."""
-        return self.metadata.get("pupil_clamps", "")
+        return self.facts.get("pupil_clamps", "")
 
 
 def pupil_by(session: RenderSession, where: str) -> Pupil:
-    origin = {key: text for key, text in session.metadata.items() if key in _ORIGIN}
+    origin = {key: fact for key, fact in session.facts.items() if key in _ORIGIN}
     return Pupil(
         session.pupil_mm, session.pupil_report, where, {**origin, "pupil_found_in": where}
     )
@@ -63,8 +63,8 @@ def first_pupil_of_render(camera: bpy.types.Camera) -> Pupil | None:
 
 
 def remember_focus(camera: bpy.types.Camera, session: RenderSession) -> None:
-    if "focus_m" in session.metadata:
-        _last_focus_m[camera.name_full] = float(session.metadata["focus_m"])
+    if "focus_m" in session.facts:
+        _last_focus_m[camera.name_full] = session.facts["focus_m"]
 
 
 def last_focus_m(camera: bpy.types.Camera) -> float | None:

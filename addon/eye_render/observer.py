@@ -9,18 +9,27 @@ from .batch import Overrides
 from .core import EyeRenderError
 
 
-def make_observer(
+def seen_eyes(
+    scene: bpy.types.Scene, settings: bpy.types.PropertyGroup, overrides: Overrides
+) -> tuple[str, ...]:
+    """The eyes that a scene is rendered with: "RIGHT", "LEFT" or both."""
+    if scene.render.use_multiview:
+        return ("RIGHT", "LEFT")
+    return (overrides.side or settings.eye,)
+
+
+def observer_arguments(
     settings: bpy.types.PropertyGroup,
     scene_settings: bpy.types.PropertyGroup,
     overrides: Overrides,
     eye: str,
     focus_m: float,
     known_pupil_mm: float | None,
-):
-    """The core's observer with the given eye ("RIGHT" or "LEFT").
+) -> dict[str, object]:
+    """What the core's Observer with the given eye ("RIGHT" or "LEFT") is told.
 
     `focus_m` is what the eye looks at if its focus mode is DISTANCE, `known_pupil_mm` what an
-    automatic pupil was found to be before.
+    automatic pupil was found to be before. Raises EyeRenderError or ValueError.
     """
     pupil = _pupil(settings, overrides)
     if pupil == "auto" and known_pupil_mm is not None:
@@ -28,19 +37,24 @@ def make_observer(
     field_area_deg2 = None
     if settings.pupil_field == "FIXED":
         field_area_deg2 = math.pi / 4 * settings.pupil_field_deg**2
+    return {
+        **eye_arguments(settings, overrides, eye),
+        "age_years": settings.age if overrides.age is None else overrides.age,
+        "amplitude_formula": settings.amplitude_formula,
+        "pupil": pupil,
+        "pupil_formula": settings.pupil_formula,
+        "cd_m2_per_unit": scene_settings.cd_m2_per_unit,
+        "luminance_sigma": scene_settings.luminance_sigma,
+        "field_area_deg2": field_area_deg2,
+        "eyes": settings.pupil_eyes,
+        "focus": focus(settings, overrides, focus_m),
+    }
+
+
+def make_observer(arguments: dict[str, object]):
+    """The core's Observer of `observer_arguments`."""
     with core.speaking() as eyecore:
-        return eyecore.Observer(
-            **eye_arguments(settings, overrides, eye),
-            age_years=age_years(settings, overrides),
-            amplitude_formula=settings.amplitude_formula,
-            pupil=pupil,
-            pupil_formula=settings.pupil_formula,
-            cd_m2_per_unit=scene_settings.cd_m2_per_unit,
-            luminance_sigma=scene_settings.luminance_sigma,
-            field_area_deg2=field_area_deg2,
-            eyes=settings.pupil_eyes,
-            focus=focus(settings, overrides, focus_m),
-        )
+        return eyecore.Observer(**arguments)
 
 
 def eye_arguments(
@@ -60,10 +74,6 @@ def eye_arguments(
         arguments["refraction_zero"] = settings.refraction_zero.lower()
         arguments["exact_trace"] = settings.exact_trace
     return arguments
-
-
-def age_years(settings: bpy.types.PropertyGroup, overrides: Overrides) -> float:
-    return settings.age if overrides.age is None else overrides.age
 
 
 def focus(settings: bpy.types.PropertyGroup, overrides: Overrides, focus_m: float) -> str | float:

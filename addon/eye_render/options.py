@@ -98,7 +98,29 @@ def _report_path(text: str) -> Path:
     path = Path(text)
     if path.suffix != ".json":
         raise ValueError("expected FILE.json")
+    is_beside_the_scene = text.startswith("//")  # whose folder is not known yet
+    if not is_beside_the_scene and not path.parent.is_dir():
+        raise ValueError(f"expected a file in a folder that exists; {path.parent} does not")
     return path
+
+
+_DISTANCES_ALLOWED = "1 to 8 distances in metres, such as 0.3,0.6,6,inf"
+_MOST_DISTANCES = 8  # whose pictures stay large enough beside each other
+
+
+def read_distances(text: str) -> tuple[float, ...]:
+    """Metres from near to far, infinity among them if it is asked for."""
+    nearest, farthest = choices.FOCUS_RANGE_M
+    try:
+        distances = {float(part) for part in text.split(",")}
+    except ValueError:
+        distances = set()
+    is_possible = all(nearest <= each <= farthest or each == math.inf for each in distances)
+    if not (is_possible and 1 <= len(distances) <= _MOST_DISTANCES):
+        raise ValueError(
+            f"expected {_DISTANCES_ALLOWED}, each {_spoken(nearest)} to {_spoken(farthest)} or inf"
+        )
+    return tuple(sorted(distances))
 
 
 OPTIONS: dict[str, Option] = {
@@ -144,6 +166,11 @@ OPTIONS: dict[str, Option] = {
         "FILE.json",
         "writes blur, contrast and focus of the eye, with a picture FILE.png",
         _report_path,
+    ),
+    "--eye-report-distances": Option(
+        _DISTANCES_ALLOWED,
+        "what the report is about, in place of 0.4, 1, 6 and inf",
+        read_distances,
     ),
 }
 

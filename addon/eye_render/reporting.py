@@ -1,36 +1,38 @@
 """Reports on the observer of a camera: as the picture is rendered, or as the scene stands now."""
 
-import math
-from dataclasses import replace
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import bpy
 import numpy as np
 
-from . import batch, core, found
+from . import batch, core
 from .core import EyeRenderError
-from .export.camera import check_camera, focus_distance_m, metres_per_unit
-from .observer import focus, has_automatic_pupil, make_observer
+from .export import export_scene
+from .export.camera import check_camera, focus_distance_m, frame_of, set_camera
+from .observer import has_automatic_pupil, make_observer, observer_arguments, seen_eyes
 
 # The report needs the native module, without which the add-on still shows why it is missing.
 if TYPE_CHECKING:
     from .report import Subject, Written
 
 
-def write(subject: "Subject", path: Path) -> "Written":
-    """Write the report; EyeRenderError says what is in the way."""
+def write(subject: "Subject", distances_m: Sequence[float], path: Path) -> "Written":
+    """Write the report, at the usual distances if none are given; EyeRenderError says what is in
+    the way."""
     from .report import distances_of, write_report
 
     try:
-        return write_report(subject, distances_of(subject), path)
+        return write_report(subject, distances_m or distances_of(subject), path)
     except OSError as error:
-        raise EyeRenderError(f"The report cannot be written: {error}") from error
+        reason = error.strerror or type(error).__name__
+        raise EyeRenderError(f"The report {path} cannot be written: {reason}") from error
     except ValueError as error:
         raise EyeRenderError(f"There is no report: {error}") from error
 
 
-def write_of_picture(path: Path, observer, metadata: dict[str, str], view: str) -> str:
+def write_of_picture(path: Path, observer, facts: dict[str, str | float], view: str) -> str:
     """The report that --eye-report asks for, each stereo view's in a file of its own; the sentence
     that says so. Of an animation, the last frame's stays."""
     from .report import subject_of
@@ -38,57 +40,65 @@ def write_of_picture(path: Path, observer, metadata: dict[str, str], view: str) 
     path = Path(bpy.path.abspath(str(path)))
     if view:
         path = path.with_stem(f"{path.stem}.{view}")
-    written = write(subject_of(observer, metadata), path)
+    distances_m = batch.overrides.report_distances or ()
+    written = write(subject_of(observer, facts), distances_m, path)
     return f"report: {path}" + (f"; {written.note}" if written.note else "")
 
 
-def subject_in(context: bpy.types.Context) -> "Subject":
-    """The observer of the scene's camera, without a render. An automatic pupil is what the last
-    render found."""
+def subjects_in(context: bpy.types.Context, warn: Callable[[str], None]) -> dict[str, "Subject"]:
+    """Each eye that looks through the scene's camera ("RIGHT", "LEFT"), found as a render finds
+    it, in the scene as the viewport evaluates it. `warn` takes sentences on what is left out."""
     from .report import subject_of
 
     scene = context.scene
-    camera = scene.camera
-    check_camera(camera)
+    check_camera(scene.camera)
     depsgraph = context.evaluated_depsgraph_get()
-    settings = camera.data.eye_render
-    overrides = batch.overrides
-    eye = overrides.side or settings.eye
-    world_from_camera = np.array(camera.matrix_world)
-    focus_m = focus_distance_m(depsgraph, camera, world_from_camera)
-    if focus(settings, overrides, focus_m) == "center":
-        overrides = replace(overrides, focus=_distance_ahead_m(depsgraph, camera))
-    pupil = found.last_pupil(camera.data)
-    observer = make_observer(
-        settings,
-        scene.eye_render,
-        overrides,
-        eye,
-        focus_m,
-        pupil.diameter_mm if pupil else settings.pupil_mm,
-    )
-    source = "set"
-    if has_automatic_pupil(settings, overrides):
-        source = f"found in {pupil.where}" if pupil else "assumed: no render has found it yet"
-    metadata = {**metadata_of(observer), "eye": eye.lower(), "pupil_source": source}
-    return subject_of(observer, metadata)
+    camera = scene.camera.evaluated_get(depsgraph)
+    settings = scene.camera.data.eye_render  # the evaluated ones may lag behind
+    focus_m = focus_distance_m(depsgraph, camera, np.array(camera.matrix_world))
+    core_scene = None
+    known_pupil_mm = None
+    subjects = {}
+    for eye in seen_eyes(scene, settings, batch.overrides):
+        arguments = observer_arguments(
+            settings, scene.eye_render, batch.overrides, eye, focus_m, known_pupil_mm
+        )
+        observer = make_observer(arguments)
+        if not looks_at_the_scene(arguments):
+            facts = facts_of(observer)
+        else:
+            if core_scene is None:
+                core_scene = export_scene(depsgraph, warn, check_cancel=lambda: None)
+                frame = frame_of(scene.render)
+                set_camera(core_scene, _Middle(), depsgraph, camera, frame)
+            with core.speaking() as eyecore:
+                facts = eyecore.Session(core_scene, observer, eyecore.Settings()).facts
+        if has_automatic_pupil(settings, batch.overrides):
+            known_pupil_mm = facts["pupil_mm"]  # one person's pupils are alike
+        subjects[eye] = subject_of(observer, {**facts, "eye": eye.lower()})
+    return subjects
 
 
-def metadata_of(observer) -> dict[str, str]:
-    """What a picture would say of the observer, from a session that sees nothing."""
+def looks_at_the_scene(arguments: dict[str, object]) -> bool:
+    """Whether pupil or accommodation depend on what is before the eye."""
+    return arguments["focus"] == "center" or arguments["pupil"] == "auto"
+
+
+class _Middle:
+    """Says where a camera stands as a render engine does, between its stereo views."""
+
+    @staticmethod
+    def camera_model_matrix(camera: bpy.types.Object) -> object:
+        return camera.matrix_world.normalized()
+
+    @staticmethod
+    def camera_shift_x(camera: bpy.types.Object) -> float:
+        return camera.data.shift_x
+
+
+def facts_of(observer) -> dict[str, str | float]:
+    """What a session tells of an observer who sees nothing."""
     with core.speaking() as eyecore:
         nothing = eyecore.Scene()
         nothing.set_camera(np.eye(4), (-1.0, 1.0, -1.0, 1.0), (1, 1))
-        return eyecore.Session(nothing, observer, eyecore.Settings()).metadata
-
-
-def _distance_ahead_m(depsgraph: bpy.types.Depsgraph, camera: bpy.types.Object) -> float:
-    """Along the camera's axis to the first surface, or infinity."""
-    scene = depsgraph.scene
-    at = camera.matrix_world
-    ahead = -at.col[2].to_3d().normalized()
-    start = at.translation + ahead * camera.data.clip_start
-    is_hit, location, *_ = scene.ray_cast(depsgraph, start, ahead)
-    if not is_hit:
-        return math.inf
-    return (location - at.translation).length * metres_per_unit(scene)
+        return eyecore.Session(nothing, observer, eyecore.Settings()).facts

@@ -69,8 +69,8 @@ class RenderSession:
         return self._core.warnings
 
     @property
-    def metadata(self) -> dict[str, str]:
-        return self._core.metadata
+    def facts(self) -> dict[str, str | float]:
+        return self._core.facts
 
     @property
     def lost_rays(self) -> str:

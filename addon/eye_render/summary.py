@@ -1,54 +1,98 @@
-"""One line for the panel on what the observer's eye makes of points, as the scene stands now."""
+"""What the panels tell of the observer's eyes as the scene stands now, without a render."""
 
 from dataclasses import replace
+from typing import NamedTuple
 
 import bpy
 import numpy as np
 
-from . import batch, found
+from . import batch, core, found
 from .core import EyeRenderError
 from .export.camera import focus_distance_m
-from .observer import eye_arguments, focus, has_automatic_pupil, make_observer
-from .reporting import metadata_of
+from .observer import focus, has_automatic_pupil, make_observer, observer_arguments, seen_eyes
+from .reporting import facts_of
 
-_last: tuple[str, str] = ("", "")  # what was asked and answered: panels ask at every redraw
+_ANSWERS = 8  # remembered: panels ask at every redraw, in two tabs for two eyes
 
 
-def line(context: bpy.types.Context, camera: bpy.types.Object) -> str:
-    """Blur, far and near point and pupil; or why they are not known."""
+class Summary(NamedTuple):
+    line: str  # blur, far and near point and pupil; or why they are not known
+    accommodation: str = ""  # how far the eye accommodates, and why no further, if that is known
+
+
+_answers: dict[str, Summary] = {}
+
+
+def summaries(context: bpy.types.Context, camera: bpy.types.Object) -> list[Summary]:
+    """One for each eye that a render would look with."""
+    settings = camera.data.eye_render
+    eyes = seen_eyes(context.scene, settings, batch.overrides)
+    told = [_summary_of(context, camera, eye) for eye in eyes]
+    if len(eyes) == 1:
+        return told
+    return [
+        Summary(_of_eye(eye, each.line), each.accommodation and _of_eye(eye, each.accommodation))
+        for eye, each in zip(eyes, told, strict=True)
+    ]
+
+
+def _of_eye(eye: str, sentence: str) -> str:
+    return f"{eye.title()} eye: {sentence[:1].lower()}{sentence[1:]}"
+
+
+def _summary_of(context: bpy.types.Context, camera: bpy.types.Object, eye: str) -> Summary:
     settings = camera.data.eye_render
     overrides = batch.overrides
-    pupil = found.last_pupil(camera.data)
-    if has_automatic_pupil(settings, overrides) and pupil is None:
-        return "Blur: the first render finds the pupil"
+    unknown = []  # what only a render finds
+    pupil = None
+    if has_automatic_pupil(settings, overrides):
+        pupil = found.last_pupil(camera.data)
+        if pupil is None:
+            unknown.append("the pupil")
     # The graph as it is: drawing must not evaluate it anew.
     depsgraph = context.view_layer.depsgraph
     focus_m = focus_distance_m(depsgraph, camera, np.array(camera.matrix_world))
     if focus(settings, overrides, focus_m) == "center":
         centre_m = found.last_focus_m(camera.data)
         if centre_m is None:
-            return "Blur: the first render finds what is at the image centre"
-        overrides = replace(overrides, focus=centre_m)
-    eye = overrides.side or settings.eye
-    pupil_mm = pupil.diameter_mm if pupil else None
+            unknown.append("what is at the image centre")
+        overrides = replace(overrides, focus=centre_m or "relaxed")
     try:
-        arguments = eye_arguments(settings, overrides, eye)
-        observer = make_observer(
-            settings, context.scene.eye_render, overrides, eye, focus_m, pupil_mm
+        arguments = observer_arguments(
+            settings,
+            context.scene.eye_render,
+            overrides,
+            eye,
+            focus_m,
+            pupil.diameter_mm if pupil else settings.pupil_mm,
         )
-        return _summary(observer, f"{arguments} {observer!r}")
+        known = _answer(arguments)
     except (EyeRenderError, ValueError) as error:
-        return f"Blur: {error}"
+        return Summary(f"Blur: {error}")
+    if unknown:
+        return known._replace(line=f"Blur: the first render finds {' and '.join(unknown)}")
+    if pupil:
+        return known._replace(line=f"{known.line}, as found in {pupil.where}")
+    return known
 
 
-def _summary(observer, asked: str) -> str:
-    """`asked` tells everything that the answer depends on."""
-    global _last
-    if asked != _last[0]:
+def _answer(arguments: dict[str, object]) -> Summary:
+    """Of an observer whose pupil and focus are known."""
+    asked = repr(arguments)
+    if asked not in _answers:
         # The report needs the native module, without which the panels still say why it is missing.
         from .report import subject_of, summary_line
 
-        metadata = metadata_of(observer)
-        focus_m = float(metadata.get("focus_m", "inf"))
-        _last = (asked, summary_line(subject_of(observer, metadata), focus_m))
-    return _last[1]
+        observer = make_observer(arguments)
+        facts = facts_of(observer)
+        subject = subject_of(observer, facts)
+        line = summary_line(subject, facts.get("focus_m", float("inf")))
+        if len(_answers) == _ANSWERS:
+            _answers.clear()
+        of_age_d = core.require().accommodation_amplitude_d(
+            arguments["age_years"], arguments["amplitude_formula"]
+        )
+        limit = "at this age" if subject.amplitude_d == of_age_d else "in this eye model"
+        accommodation = f"Accommodation up to {subject.amplitude_d:.1f} D {limit}"
+        _answers[asked] = Summary(line, accommodation)
+    return _answers[asked]

@@ -3,8 +3,8 @@ import math
 
 import bpy
 import pytest
-from eye_render import found, reporting
-from scenes import add_object, quad_mesh
+from eye_render import batch, found, reporting
+from scenes import add_object, node_material, quad_mesh, surface
 
 
 @pytest.fixture
@@ -17,8 +17,8 @@ def observer(scene):
     return settings
 
 
-def report_of(path) -> dict:
-    bpy.ops.eye_render.report(filepath=str(path))
+def report_of(path, **how) -> dict:
+    bpy.ops.eye_render.report(filepath=str(path), **how)
     return json.loads(path.read_text(encoding="utf-8"))
 
 
@@ -27,7 +27,6 @@ def test_the_operator_reports_on_the_scenes_observer(observer, tmp_path):
     told = numbers["observer"]
     assert told["rx"].endswith("-2.00DS")
     assert (told["eye"], told["model"], told["focus"]) == ("right", "paraxial", "relaxed")
-    assert told["pupil_source"] == "set"
     assert numbers["pupil_mm"] == pytest.approx(3.0)
     assert numbers["far_point_m"] == pytest.approx(0.5, abs=0.01)
     assert [row["distance_m"] for row in numbers["distances"]] == [0.4, 1.0, 6.0, None]
@@ -47,33 +46,73 @@ def test_an_eye_that_focuses_is_reported_as_it_accommodates(scene, observer, tmp
     assert nearest["is_diffraction_limited"]
 
 
-def test_an_eye_that_looks_at_the_middle_accommodates_to_what_is_there(
+def test_the_distances_of_a_report_can_be_chosen(observer, tmp_path):
+    numbers = report_of(tmp_path / "eye.json", distances="6, 0.3, inf, 0.6")
+    assert [row["distance_m"] for row in numbers["distances"]] == [0.3, 0.6, 6.0, None]
+    curve = numbers["through_focus"]
+    assert curve["object_vergence_d"][-1] > 1 / 0.3
+    with pytest.raises(RuntimeError, match="Distances are '6 m'; expected 1 to 8 distances"):
+        report_of(tmp_path / "eye.json", distances="6 m")
+
+
+def as_rendered(path) -> dict:
+    """The report that a render of the scene writes."""
+    batch.overrides.report = path
+    try:
+        bpy.ops.render.render()
+    finally:
+        batch.overrides.report = None
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def test_what_the_eye_looks_at_is_found_as_a_render_finds_it(
     scene, observer, depsgraph_of, tmp_path
 ):
+    """A shifted lens looks past a sheet in front of the camera, through a clear one, to a wall."""
     scene.unit_settings.scale_length = 0.5
     observer.focus_mode = "CENTER"
-    add_object(quad_mesh()).location = (0.0, 0.0, -0.5)
+    scene.camera.data.shift_x = 0.5  # the middle of the picture is 10 degrees to the right
+    add_object(quad_mesh(size=0.1)).location = (0.0, 0.0, -0.2)
+    clear = quad_mesh(size=2.0)
+    clear.materials.append(node_material("Clear"))
+    surface(clear.materials[0], "ShaderNodeBsdfTransparent")
+    add_object(clear).location = (0.0, 0.0, -0.3)
+    add_object(quad_mesh(size=2.0)).location = (0.0, 0.0, -0.5)
     depsgraph_of()
-    assert report_of(tmp_path / "eye.json")["observer"]["focus_m"] == pytest.approx(0.25, rel=1e-5)
+    reported = report_of(tmp_path / "reported.json")["observer"]["focus_m"]
+    assert reported == as_rendered(tmp_path / "rendered.json")["observer"]["focus_m"]
+    assert reported == pytest.approx(0.25, rel=1e-4)  # the ray sets out anew behind the sheet
 
 
-def test_an_automatic_pupil_is_the_last_renders_or_said_to_be_assumed(
-    scene, observer, render, tmp_path
-):
+def test_an_automatic_pupil_is_found_as_a_render_finds_it(scene, observer, tmp_path):
     observer.pupil_mode = "AUTO"
-    numbers = report_of(tmp_path / "before.json")
-    assert numbers["observer"]["pupil_source"].startswith("assumed")
-    assert numbers["pupil_mm"] == pytest.approx(3.0)
-    render()
-    numbers = report_of(tmp_path / "after.json")
-    assert numbers["observer"]["pupil_source"] == "found in frame 1"
-    assert numbers["pupil_mm"] == pytest.approx(
-        found.last_pupil(scene.camera.data).diameter_mm, rel=1e-5
+    scene.world = bpy.data.worlds.new("World")
+    scene.world.use_nodes = True
+    reported = report_of(tmp_path / "reported.json")
+    assert reported["observer"]["luminance_cd_m2"] > 1.0
+    rendered = as_rendered(tmp_path / "rendered.json")
+    assert (
+        reported["pupil_mm"]
+        == rendered["pupil_mm"]
+        == pytest.approx(found.last_pupil(scene.camera.data).diameter_mm, rel=1e-6)
     )
 
 
+def test_in_stereo_each_eye_has_its_report(scene, observer, tmp_path):
+    scene.render.use_multiview = True
+    observer.left.text = "-5.00DS"
+    bpy.ops.eye_render.report(filepath=str(tmp_path / "eye.json"))
+    far = {
+        eye: json.loads((tmp_path / f"eye.{eye}.json").read_text())["far_point_m"]
+        for eye in ("left", "right")
+    }
+    assert far["left"] < 0.25 < far["right"]
+
+
 def test_a_pinhole_or_a_missing_folder_is_answered_with_a_sentence(observer, tmp_path):
-    with pytest.raises(RuntimeError, match="The report cannot be written: .*nowhere"):
+    with pytest.raises(
+        RuntimeError, match="The report .*/nowhere/eye.json cannot be written: No such file"
+    ):
         bpy.ops.eye_render.report(filepath=str(tmp_path / "nowhere" / "eye.json"))
     observer.model = "PINHOLE"
     with pytest.raises(RuntimeError, match="There is no report: .*pupil_mm is 0"):
@@ -83,7 +122,7 @@ def test_a_pinhole_or_a_missing_folder_is_answered_with_a_sentence(observer, tmp
 def test_the_summary_is_of_the_scenes_observer(observer):
     from eye_render.report import summary_line
 
-    line = summary_line(reporting.subject_in(bpy.context), math.inf)
+    line = summary_line(reporting.subjects_in(bpy.context, warn=print)["RIGHT"], math.inf)
     assert line.startswith("Blur 20.5′ at infinity; far point 0.50 m")
 
 
@@ -115,16 +154,40 @@ camera.eye_render.left.text = "-5.00DS"
     assert far["left"] < 0.25 < far["right"]
 
 
-def test_a_report_that_cannot_be_written_ends_the_render_with_status_1(
-    run_blender, picture, tmp_path
+@pytest.mark.parametrize(
+    ("options", "sentence"),
+    [
+        (("--eye-report", "eye.txt"), '--eye-report is "eye.txt"; expected FILE.json'),
+        (
+            ("--eye-report", "/nowhere/eye.json"),
+            '--eye-report is "/nowhere/eye.json"; expected a file in a folder that exists',
+        ),
+        (("--eye-report-distances", "6"), "--eye-report-distances is given without --eye-report"),
+        (
+            ("--eye-report-distances", "6,near"),
+            '--eye-report-distances is "6,near"; expected 1 to 8 distances in metres',
+        ),
+    ],
+)
+def test_a_report_that_cannot_be_ends_blender_with_status_2(
+    run_blender, picture, options, sentence
 ):
-    ended = run_blender("--", "--eye-report", str(tmp_path / "nowhere" / "eye.json"))
-    assert ended.returncode == 1
-    assert "The report cannot be written" in ended.stdout + ended.stderr
+    ended = run_blender("--", *options)
+    assert ended.returncode == 2
+    assert sentence in ended.stderr
     assert not picture.exists()
 
 
-def test_a_report_needs_its_kind_of_file(run_blender):
-    ended = run_blender("--", "--eye-report", "eye.txt")
-    assert ended.returncode == 2
-    assert '--eye-report is "eye.txt"; expected FILE.json' in ended.stderr
+def test_a_report_in_batch_needs_a_picture_to_report_on(tmp_path):
+    wanted = batch.Overrides(report=tmp_path / "eye.json")
+    batch.check_report(wanted, ["blender", "-b", "scene.blend", "-f", "1"])
+    batch.check_report(wanted, ["blender", "-b", "-P", "render.py"])
+    with pytest.raises(batch.OptionError, match="nothing is rendered to report on; expected -f"):
+        batch.check_report(wanted, ["blender", "-b", "scene.blend"])
+
+
+def test_the_distances_of_a_batch_report_can_be_chosen(run_blender, tmp_path):
+    path = tmp_path / "eye.json"
+    ended = run_blender("--", "--eye-report", str(path), "--eye-report-distances", "inf,0.3")
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert [row["distance_m"] for row in json.loads(path.read_text())["distances"]] == [0.3, None]

@@ -18,7 +18,8 @@ def observer(scene):
 
 
 def line(scene) -> str:
-    return summary.line(bpy.context, scene.camera)
+    (only,) = summary.summaries(bpy.context, scene.camera)
+    return only.line
 
 
 def test_the_line_has_blur_points_and_pupil(scene, observer):
@@ -53,9 +54,28 @@ def test_what_only_a_render_finds_is_said(scene, observer, render):
     observer.focus_mode = "CENTER"
     assert line(scene) == "Blur: the first render finds what is at the image centre"
     observer.pupil_mode = "AUTO"
-    assert line(scene) == "Blur: the first render finds the pupil"
+    assert line(scene).endswith("finds the pupil and what is at the image centre")
     render()
     assert "at infinity" in line(scene)
+    assert line(scene).endswith(" mm, as found in frame 1")
+
+
+def test_in_stereo_there_is_a_line_for_each_eye(scene, observer):
+    scene.render.use_multiview = True
+    observer.left.text = "-4.00"
+    right, left = summary.summaries(bpy.context, scene.camera)
+    assert right.line.startswith("Right eye: blur 0.0′ at 0.50 m")
+    assert left.line.startswith("Left eye: blur ")
+    assert "far point 0.52 m" in right.line and "far point 0.27 m" in left.line
+
+
+def test_accommodation_is_what_both_age_and_model_allow(scene, observer):
+    (of_age,) = summary.summaries(bpy.context, scene.camera)
+    assert of_age.accommodation == "Accommodation up to 0.5 D at this age"
+    observer.age = 8.0
+    observer.model = "ARIZONA"
+    (of_model,) = summary.summaries(bpy.context, scene.camera)
+    assert of_model.accommodation == "Accommodation up to 8.0 D in this eye model"
 
 
 def test_what_is_wrong_is_said_in_the_line(scene, observer):
@@ -64,5 +84,6 @@ def test_what_is_wrong_is_said_in_the_line(scene, observer):
 
 
 def test_the_near_point_is_as_far_as_the_formula_for_the_amplitude_allows(scene, observer):
+    assert "near point 0.41 m" in line(scene)
     observer.amplitude_formula = "ANDERSON"  # nothing is left at 60 years
     assert "far point 0.52 m, near point 0.52 m" in line(scene)

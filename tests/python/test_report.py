@@ -46,12 +46,49 @@ def test_a_report_has_the_numbers_of_the_closed_forms(tmp_path: Path) -> None:
     assert near["blur_angle_deg"] == pytest.approx(110.0, abs=0.1)
     along, across = near["mtf"]
     assert along["meridian_deg"] == pytest.approx(110.0, abs=0.1)
-    assert along["frequencies_cpd"] == [10.0, 20.0, 30.0]
-    assert across["of_rays"] == pytest.approx([1.0, 1.0, 1.0], abs=1e-3)
+    frequencies = along["frequencies_cpd"]
+    assert frequencies == [1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0]
+    assert across["of_rays"] == pytest.approx([1.0] * 7, abs=1e-3)
     assert across["with_diffraction"] == pytest.approx(
-        eyecore.diffraction_mtf([10.0, 20.0, 30.0], 4.0), abs=2e-3
+        eyecore.diffraction_mtf(frequencies, 4.0), abs=2e-3
     )
-    assert along["of_rays"][0] < 0.2
+    # An evenly filled line of 13.751' blurs to 2 J1(x) / x, x = pi 13.751/60 per cycle a degree.
+    assert along["of_rays"][0] == pytest.approx(0.936, abs=2e-3)
+    assert along["of_rays"][4] < 0.2
+
+
+def test_the_curve_through_focus_is_in_the_numbers(tmp_path: Path) -> None:
+    curve = written_numbers(subject("-2.00DS"), [0.3, math.inf], tmp_path / "eye.json")[
+        "through_focus"
+    ]
+    vergences_d, radii = curve["object_vergence_d"], curve["rms_radius_arcmin"]
+    assert (vergences_d[0], vergences_d[-1]) == pytest.approx((-0.5, 1 / 0.3 + 0.5), rel=1e-5)
+    assert vergences_d == sorted(vergences_d)
+    sharpest = radii.index(min(radii))
+    assert vergences_d[sharpest] == pytest.approx(2.0, abs=0.026)
+    # 4 mm at 2 D: a disc of 27.5', whose RMS radius is its diameter / sqrt(8).
+    at_infinity = min(zip(vergences_d, radii, strict=True), key=lambda point: abs(point[0]))
+    assert at_infinity[1] == pytest.approx(
+        4e-3 * (2.0 - at_infinity[0]) * 3437.75 / 8**0.5, rel=0.01
+    )
+
+
+@pytest.mark.parametrize(
+    ("told", "title"),
+    [
+        ({"worn": "full correction"}, "glasses worn: full correction"),
+        (
+            {"worn": "full correction", "worn_part": "near"},
+            "glasses worn: full correction, seen through their near part",
+        ),
+    ],
+)
+def test_the_title_says_what_is_worn(told: dict, title: str) -> None:
+    pytest.importorskip("matplotlib")
+    from report.figure import _title
+
+    observer = {"rx": "OD +2.00DS add +2.50", "correction": "glasses", **told}
+    assert _title({"observer": observer, "pupil_mm": 4.0}).endswith(f"pupil 4 mm, {title}")
 
 
 def test_an_emmetropes_report_speaks_of_infinity_and_diffraction(tmp_path: Path) -> None:
@@ -116,19 +153,13 @@ def test_one_line_sums_up(rx: str, accommodation_d: float, focus_m: float, line:
 
 
 def test_a_subject_is_what_a_session_found() -> None:
-    observer = eyecore.Observer(rx="-2.00DS", rx_plane="entrance_pupil", pupil=3.5, focus=0.4)
-    metadata = {
-        "rx": "-2.00DS",
-        "pupil_mm": "3.5",
-        "accommodation_d": "0.5",
-        "age_years": "30",
-        "amplitude_formula": "ANDERSON",
-        "focus_m": "0.4",
-        "samples": "64",
-    }
-    about = report.subject_of(observer, metadata)
+    observer = eyecore.Observer(rx="-2.00DS", rx_plane="entrance_pupil", pupil=3.5, focus=0.3)
+    scene = eyecore.Scene()
+    scene.set_camera([[float(i == j) for j in range(4)] for i in range(4)], (-1, 1, -1, 1), (1, 1))
+    about = report.subject_of(observer, eyecore.Session(scene, observer, eyecore.Settings()).facts)
     assert about.eye.pupil_mm == 3.5
-    assert about.eye.far_point_m == pytest.approx(0.4)
-    assert about.amplitude_d == eyecore.accommodation_amplitude_d(30, "ANDERSON")
-    assert about.description == {"rx": "-2.00DS", "age_years": 30.0, "focus_m": 0.4}
-    assert report.distances_of(about) == [0.4, 1.0, 6.0, math.inf]
+    assert about.eye.far_point_m == pytest.approx(0.3)
+    assert about.amplitude_d == eyecore.accommodation_amplitude_d(30)
+    assert about.description["rx"] == "-2.00DS"
+    assert about.description["focus_m"] == 0.3
+    assert report.distances_of(about) == [0.3, 0.4, 1.0, 6.0, math.inf]

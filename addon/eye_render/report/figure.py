@@ -11,17 +11,21 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 
-from .measure import WAVELENGTH_NM, mtf_meridians_deg, spoken_distance
+from .measure import CURVE_SAMPLES, WAVELENGTH_NM, mtf_meridians_deg, spoken_distance
 
 _SIZE_INCHES = (16.0, 9.0)
 _DPI = 100
+_LEFT, _RIGHT = 0.05, 0.98  # of the slide, as shares of its width
 _LETTER_ARCMIN = 5.0  # a 20/20 letter, whose strokes are 1 arcmin wide
 # So much wider than the blur, a tile has room for the letter in its corner.
 _TILE_PER_BLUR = 1.9
 _SMALLEST_TILE_ARCMIN = 24.0
 _TILE_PX = 192
-_CURVE_SAMPLES = 16384
 _FINEST_CPD = 60.0
+# The lobes of a large blur lie close to each other, below 10.
+_FREQUENCIES_CPD = np.concatenate(
+    [np.linspace(0.0, 9.9, 100), np.linspace(10.0, _FINEST_CPD, 101)]
+)
 _ACUITY_CPD = 30.0  # the strokes of a 20/20 letter
 _COLORS = ("#1b6ca8", "#d95f02", "#1b9e77", "#c51b7d", "#7a6a1c", "#5b4ba0")
 _NO_EYE = "0.88"  # the grey of what diffraction forbids
@@ -32,7 +36,7 @@ def draw(eye: eyecore.Eye, report: dict, path: Path) -> None:
     figure = Figure(figsize=_SIZE_INCHES, dpi=_DPI)
     FigureCanvasAgg(figure)
     rows = figure.add_gridspec(
-        2, 1, height_ratios=(1, 1.1), hspace=0.32, left=0.05, right=0.98, top=0.83, bottom=0.09
+        2, 1, height_ratios=(1, 1.1), hspace=0.32, left=_LEFT, right=_RIGHT, top=0.83, bottom=0.09
     )
     distances = report["distances"]
     tiles = rows[0].subgridspec(1, len(distances), wspace=0.12)
@@ -40,10 +44,17 @@ def draw(eye: eyecore.Eye, report: dict, path: Path) -> None:
         _draw_psf(figure.add_subplot(tiles[number]), eye, report, row, _color(number))
     curves = rows[1].subgridspec(1, 2, width_ratios=(1.6, 1), wspace=0.16)
     _draw_mtf(figure.add_subplot(curves[0]), eye, distances)
-    _draw_through_focus(figure.add_subplot(curves[1]), eye, report)
-    figure.suptitle(_title(report), x=0.05, y=0.975, ha="left", fontsize=22, weight="bold")
-    figure.text(0.05, 0.905, _subtitle(report), fontsize=14, color="0.3")
+    _draw_through_focus(figure.add_subplot(curves[1]), report)
+    _write(figure, 0.93, _title(report), fontsize=22, weight="bold")
+    _write(figure, 0.895, _subtitle(report), fontsize=14, color="0.3")
     figure.savefig(path, format="png")
+
+
+def _write(figure: Figure, y: float, text: str, **look: object) -> None:
+    """A line of text at the height `y`, smaller if it would run off the slide."""
+    line = figure.text(_LEFT, y, text, **look)
+    share = line.get_window_extent().width / figure.bbox.width
+    line.set_fontsize(line.get_fontsize() * min(1.0, (_RIGHT - _LEFT) / share))
 
 
 def _color(number: int) -> str:
@@ -54,7 +65,8 @@ def _title(report: dict) -> str:
     observer = report["observer"]
     title = f"{observer.get('rx', 'Eye')}, pupil {report['pupil_mm']:.3g} mm"
     if "correction" in observer:
-        title += f", {observer['correction']} worn: {observer['worn']}"
+        part = ", seen through their near part" if observer.get("worn_part") == "near" else ""
+        title += f", {observer['correction']} worn: {observer['worn']}{part}"
     return title
 
 
@@ -130,7 +142,7 @@ def _draw_letter(axes: Axes, corner: tuple[float, float]) -> None:
 
 
 def _draw_mtf(axes: Axes, eye: eyecore.Eye, distances: list[dict]) -> None:
-    frequencies = np.linspace(0.0, _FINEST_CPD, 121)
+    frequencies = _FREQUENCIES_CPD
     bound = eyecore.diffraction_mtf(frequencies, eye.pupil_mm, WAVELENGTH_NM)
     axes.fill_between(frequencies, bound, 1.0, color=_NO_EYE, lw=0)
     axes.plot(frequencies, bound, color="0.45", lw=1.5)
@@ -145,7 +157,7 @@ def _draw_mtf(axes: Axes, eye: eyecore.Eye, distances: list[dict]) -> None:
                 _object_distance(row),
                 meridian,
                 diffraction=True,
-                samples=_CURVE_SAMPLES,
+                samples=CURVE_SAMPLES,
             )
             for meridian in mtf_meridians_deg(row["blur_angle_deg"])
         )
@@ -166,14 +178,11 @@ def _draw_mtf(axes: Axes, eye: eyecore.Eye, distances: list[dict]) -> None:
     _clear_frame(axes)
 
 
-def _draw_through_focus(axes: Axes, eye: eyecore.Eye, report: dict) -> None:
-    distances = report["distances"]
-    shown = [row["object_vergence_d"] for row in distances] + [report["best_focus_d"]]
-    margin_d = 0.5
-    vergences = np.linspace(min(shown) - margin_d, max(shown) + margin_d, 201)
-    blur = eye.through_focus(vergences, WAVELENGTH_NM, samples=_CURVE_SAMPLES)
-    axes.plot(vergences, blur, color="0.25")
-    for number, row in enumerate(distances):
+def _draw_through_focus(axes: Axes, report: dict) -> None:
+    curve = report["through_focus"]
+    vergences = curve["object_vergence_d"]
+    axes.plot(vergences, curve["rms_radius_arcmin"], color="0.25")
+    for number, row in enumerate(report["distances"]):
         axes.plot(
             row["object_vergence_d"], row["rms_radius_arcmin"], "o", ms=10, color=_color(number)
         )

@@ -7,17 +7,25 @@ from dataclasses import dataclass, field
 from functools import partial
 
 import eyecore
+import numpy as np
 
 WAVELENGTH_NM = 555.0
-FREQUENCIES_CPD = (10.0, 20.0, 30.0)  # 30 is the finest detail of a 20/20 letter
+# Large blur leaves contrast below 5 alone; 30 is the finest detail of a 20/20 letter.
+FREQUENCIES_CPD = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0)
 USUAL_DISTANCES_M = (0.4, 1.0, 6.0, math.inf)
 
-# What a picture's metadata says of the observer.
+# What a session tells of the observer.
 _DESCRIBING = (
     *("eye", "rx", "rx_plane", "vertex_mm", "correction", "worn", "worn_part", "model"),
     *("age_years", "focus", "focus_m", "pupil_formula", "luminance_cd_m2", "pupil_found_in"),
-    "pupil_source",
 )
+
+# Of the curve through focus: over all distances, and close to its sharpest point.
+_CURVE_MARGIN_D = 0.5
+_CURVE_POINTS = 101
+_SHARPEST_D = 1.0
+_SHARPEST_POINTS = 41
+CURVE_SAMPLES = 16384
 
 
 @dataclass(frozen=True)
@@ -27,34 +35,25 @@ class Subject:
     eye_at: Callable[[float], eyecore.Eye]  # the eye when it accommodates so much, in dioptres
     accommodation_d: float
     amplitude_d: float
-    description: Mapping[str, str | float] = field(default_factory=dict)
+    description: Mapping[str, str | float | None] = field(default_factory=dict)
 
     @property
     def eye(self) -> eyecore.Eye:
         return self.eye_at(self.accommodation_d)
 
 
-def subject_of(observer: eyecore.Observer, metadata: Mapping[str, str]) -> Subject:
-    """The observer in the state that a session's metadata tells of."""
-    description = {key: _number(metadata[key]) for key in _DESCRIBING if key in metadata}
-    eye_at = partial(eyecore.observer_eye, observer, float(metadata["pupil_mm"]))
-    of_age_d = eyecore.accommodation_amplitude_d(
-        float(metadata["age_years"]), metadata["amplitude_formula"]
-    )
+def subject_of(observer: eyecore.Observer, facts: Mapping[str, str | float]) -> Subject:
+    """The observer in the state that a session's facts tell of."""
     return Subject(
-        eye_at=eye_at,
-        accommodation_d=float(metadata["accommodation_d"]),
-        amplitude_d=min(of_age_d, eye_at(0.0).max_accommodation_d),
-        description=description,
+        eye_at=partial(eyecore.observer_eye, observer, facts["pupil_mm"]),
+        accommodation_d=facts["accommodation_d"],
+        amplitude_d=facts["accommodation_amplitude_d"],
+        description={
+            key: None if facts[key] == math.inf else facts[key]
+            for key in _DESCRIBING
+            if key in facts
+        },
     )
-
-
-def _number(text: str) -> str | float | None:
-    try:
-        number = float(text)
-    except ValueError:
-        return text
-    return number if math.isfinite(number) else None
 
 
 def distances_of(subject: Subject) -> list[float]:
@@ -91,7 +90,20 @@ def measure(subject: Subject, distances_m: Sequence[float]) -> dict:
         "airy_radius_arcmin": eyecore.airy_radius_arcmin(eye.pupil_mm, WAVELENGTH_NM),
         "quarter_wave_defocus_d": eyecore.quarter_wave_d(eye.pupil_mm, WAVELENGTH_NM),
         "distances": [_at_distance(eye, distance) for distance in distances_m],
+        "through_focus": _through_focus(eye, distances_m),
     }
+
+
+def _through_focus(eye: eyecore.Eye, distances_m: Sequence[float]) -> dict:
+    """The curve of the blur over the vergence of the object."""
+    best_d = eye.best_focus_d
+    shown_d = [best_d, *(1.0 / distance for distance in distances_m)]
+    lowest_d, highest_d = min(shown_d) - _CURVE_MARGIN_D, max(shown_d) + _CURVE_MARGIN_D
+    everywhere = np.linspace(lowest_d, highest_d, _CURVE_POINTS)
+    sharpest = np.linspace(best_d - _SHARPEST_D, best_d + _SHARPEST_D, _SHARPEST_POINTS)
+    vergences = np.union1d(everywhere, sharpest.clip(lowest_d, highest_d))
+    blur = eye.through_focus(vergences, WAVELENGTH_NM, samples=CURVE_SAMPLES)
+    return {"object_vergence_d": vergences.tolist(), "rms_radius_arcmin": blur.tolist()}
 
 
 def _clear_range(clear: eyecore.ClearRange) -> dict:

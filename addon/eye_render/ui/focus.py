@@ -24,14 +24,12 @@ class _Focus:
             row.active = target is None
             row.prop(camera.dof, "focus_distance")
         column.prop(observer, "amplitude_formula")
-        if core.module is not None:
-            amplitude_d = core.module.accommodation_amplitude_d(
-                observer.age, observer.amplitude_formula
-            )
-            column.label(text=f"Accommodation up to {amplitude_d:.1f} D at this age")
-            shown = self.camera_object(context)
-            if shown is not None:
-                draw_sentence(self.layout, context, summary.line(context, shown), "INFO")
+        shown = self.camera_object(context)
+        if core.module is not None and shown is not None:
+            for each in summary.summaries(context, shown):
+                if each.accommodation:
+                    column.label(text=each.accommodation)
+                draw_sentence(self.layout, context, each.line, "INFO")
 
 
 class EYE_RENDER_PT_camera_focus(_Focus, CameraTab, Panel):

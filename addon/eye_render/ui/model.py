@@ -3,9 +3,9 @@
 import bpy
 from bpy.types import Panel
 
-from .. import choices
+from .. import batch, choices
+from ..observer import seen_eyes
 from ..operators import EYE_RENDER_OT_import_wavefront
-from .prescription import seen_eyes
 from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
@@ -16,7 +16,7 @@ def _draw_wavefront(
     column = split_column(layout)
     column.row().prop(observer, "wavefront_source", expand=True)
     if observer.wavefront_source == "MEASURED":
-        for eye in seen_eyes(context, observer):
+        for eye in seen_eyes(context.scene, observer, batch.overrides):
             measured = observer.left_wavefront if eye == "LEFT" else observer.right_wavefront
             text = f"{eye.title()}: nothing imported yet"
             if measured.is_there:

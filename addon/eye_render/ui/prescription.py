@@ -4,12 +4,8 @@ import bpy
 from bpy.types import Panel
 
 from .. import batch
+from ..observer import seen_eyes
 from .tabs import NAME_SHARE, CameraTab, SceneCameraTab, draw_sentence, split_column
-
-
-def seen_eyes(context: bpy.types.Context, observer: bpy.types.PropertyGroup) -> tuple[str, ...]:
-    """The eyes that the scene is rendered with."""
-    return ("RIGHT", "LEFT") if context.scene.render.use_multiview else (observer.eye,)
 
 
 def draw_prescription(
@@ -54,7 +50,7 @@ class _Prescription:
     def draw(self, context):
         layout = self.layout
         observer = self.camera(context).eye_render
-        eyes = seen_eyes(context, observer)
+        eyes = seen_eyes(context.scene, observer, batch.overrides)
 
         column = split_column(layout)
         row = column.row()

@@ -8,6 +8,7 @@ from bpy.types import Operator, Panel
 from bpy_extras.io_utils import ExportHelper
 
 from .. import core, reporting
+from ..options import read_distances
 from .tabs import SceneCameraTab, split_column
 
 
@@ -19,22 +20,42 @@ class EYE_RENDER_OT_report(Operator, ExportHelper):
     bl_label = "Write Report"
     filename_ext = ".json"
     filter_glob: StringProperty(default="*.json", options={"HIDDEN"})
+    distances: StringProperty(
+        name="Distances",
+        description="Metres from the eye, such as 0.3, 0.6, 6, inf; empty for the usual ones",
+    )
 
     @classmethod
     def poll(cls, context):
         return core.module is not None and context.scene.camera is not None
 
-    def execute(self, context):
+    def _distances_m(self) -> tuple[float, ...]:
+        if not self.distances.strip():
+            return ()
         try:
-            subject = reporting.subject_in(context)
-            written = reporting.write(subject, Path(bpy.path.abspath(self.filepath)))
-        except core.EyeRenderError as error:
+            return read_distances(self.distances)
+        except ValueError as error:
+            raise core.EyeRenderError(f"Distances are '{self.distances}'; {error}") from None
+
+    def execute(self, context):
+        path = Path(bpy.path.abspath(self.filepath))
+        notes = {}  # in order, each once
+        try:
+            distances_m = self._distances_m()
+            subjects = reporting.subjects_in(context, lambda note: notes.setdefault(note))
+            files = []
+            for eye, subject in subjects.items():
+                stem = path.stem if len(subjects) == 1 else f"{path.stem}.{eye.lower()}"
+                written = reporting.write(subject, distances_m, path.with_stem(stem))
+                files += [file.name for file in (written.numbers, written.picture) if file]
+                if written.note:
+                    notes.setdefault(written.note)
+        except (core.EyeRenderError, ValueError) as error:
             self.report({"ERROR"}, str(error))
             return {"CANCELLED"}
-        if written.note:
-            self.report({"WARNING"}, written.note[:1].upper() + written.note[1:])
-        else:
-            self.report({"INFO"}, f"Wrote {written.numbers.name} and {written.picture.name}")
+        for note in notes:
+            self.report({"WARNING"}, note[:1].upper() + note[1:])
+        self.report({"INFO"}, f"Wrote {' and '.join(files)}")
         return {"FINISHED"}
 
 

@@ -3,7 +3,9 @@
 import bpy
 from bpy.types import Panel
 
-from .prescription import draw_prescription, seen_eyes
+from .. import batch
+from ..observer import seen_eyes
+from .prescription import draw_prescription
 from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
@@ -30,7 +32,7 @@ class _Worn:
     def draw(self, context):
         observer = self.camera(context).eye_render
         self.layout.row().prop(observer, "correction", expand=True)
-        eyes = seen_eyes(context, observer)
+        eyes = seen_eyes(context.scene, observer, batch.overrides)
         if observer.correction != "NONE":
             for worn, name in ((observer.right_worn, "Right"), (observer.left_worn, "Left")):
                 draw_prescription(self.layout, context, worn, name, worn.EYE in eyes)
