@@ -27,6 +27,9 @@ struct BsdfSample {
 
 class Bsdf {
 public:
+    // Lobes it holds at most.
+    static constexpr int capacity = 16;
+
     // Scatters nothing.
     Bsdf() = default;
     // dot(wo, ng) > 0.
@@ -52,9 +55,6 @@ public:
     [[nodiscard]] bool transmits() const { return transmits_; }
 
 private:
-    // Principled at its fullest: straight, metal, glass, dielectric, diffuse.
-    static constexpr int capacity = 5;
-
     struct Share {
         float importance;
         bool is_delta;

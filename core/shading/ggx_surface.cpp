@@ -46,12 +46,12 @@ struct Compensation {
 
 }  // namespace
 
-void add_glossy(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color)
+void add_glossy(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color, float weight)
 {
-    Lobe lobe = glossy_lobe(color, surface.normal, alpha_of(surface));
+    Lobe lobe = glossy_lobe(color * weight, surface.normal, alpha_of(surface));
     const Compensation c = compensate(lobe, surface, at_most_white(color));
     lobe.weight *= c.factor;
-    bsdf.add(lobe, color * c.albedo);
+    bsdf.add(lobe, color * c.albedo * weight);
 }
 
 void add_metal(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3f& f0)

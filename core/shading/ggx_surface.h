@@ -16,7 +16,7 @@ struct GgxSurface {
 };
 
 // A mirror of this colour at every angle.
-void add_glossy(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color);
+void add_glossy(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color, float weight = 1.0f);
 
 // `f0` is the colour at normal incidence, in [0, 1]; it is white at grazing incidence.
 void add_metal(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3f& f0);

@@ -5,8 +5,9 @@
 
 #include "shading/fresnel.h"
 #include "shading/ggx_surface.h"
-#include "shading/material_input.h"
-#include "shading/shading_normal.h"
+#include "shading/input_range.h"
+#include "shading/node.h"
+#include "shading/visible_normal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,40 +36,35 @@ constexpr float largest_specular = 1e3f;
 
 }  // namespace
 
-ShadedPoint shade_principled(const Material& material,
-                             const ShadingPoint& point,
-                             const HitAttributes& attributes)
+void add_principled(Bsdf& bsdf,
+                    const PrincipledInputs& inputs,
+                    float weight,
+                    const ShadingPoint& point)
 {
-    ShadedPoint shaded{.bsdf = Bsdf(point.wo, point.ng)};
-    Bsdf& bsdf = shaded.bsdf;
-
-    const float alpha = read_scalar(material.alpha, attributes, 0.0f, 1.0f);
+    const float alpha = unit_range(inputs.alpha);
     if (alpha < 1.0f) {
-        bsdf.add(straight_lobe(Color3f(1.0f - alpha)), Color3f(1.0f - alpha));
+        const Color3f passing((1.0f - alpha) * weight);
+        bsdf.add(straight_lobe(passing), passing);
+        weight *= alpha;
     }
-    if (alpha == 0.0f) {
-        return shaded;
-    }
-    if (material.may_emit()) {
-        shaded.emission = emitted_radiance(material, attributes);
+    if (weight == 0.0f) {
+        return;
     }
 
-    const Color3f base_color = read_color(material.base_color, attributes);
-    const Color3f clamped_color(std::min(base_color.x, 1.0f), std::min(base_color.y, 1.0f),
-                                std::min(base_color.z, 1.0f));
-    const float metallic = read_scalar(material.metallic, attributes, 0.0f, 1.0f);
-    const float transmission = read_scalar(material.transmission, attributes, 0.0f, 1.0f);
-    const float ior = read_ior(material.ior, attributes);
-    const V3f normal = mapped_normal(material, point, attributes);
-    const V3f mirror_normal = visible_normal(normal, point);
+    const Color3f base_color = positive_range(inputs.base_color);
+    const Color3f clamped_color = unit_range(base_color);
+    const float metallic = unit_range(inputs.metallic);
+    const float transmission = unit_range(inputs.transmission_weight);
+    const float ior = ior_range(inputs.ior);
+    const V3f normal = unit_normal(inputs.normal, point.ns);
+    const V3f mirror_normal = visible_normal(normal, point.wo, point.ng);
     const GgxSurface surface{
         .normal = mirror_normal,
         .cos_o = mirror_normal.dot(point.wo),
-        .roughness = read_scalar(material.roughness, attributes, 0.0f, 1.0f),
-        .multiple_scattering = material.multiple_scattering,
+        .roughness = unit_range(inputs.roughness),
+        .multiple_scattering = inputs.multiple_scattering,
     };
 
-    float weight = alpha;
     if (metallic > 0.0f) {
         add_metal(bsdf, surface, weight * metallic, clamped_color);
         weight *= 1.0f - metallic;
@@ -79,7 +75,7 @@ ShadedPoint shade_principled(const Material& material,
         weight *= 1.0f - transmission;
     }
     if (weight > 0.0f) {
-        const float specular = read_scalar(material.specular, attributes, 0.0f, largest_specular);
+        const float specular = in_range(inputs.specular_ior_level, 0.0f, largest_specular);
         const float polish_ior = adjusted_ior(ior, specular);
         if (polish_ior != 1.0f) {
             const float kept = add_dielectric(bsdf, surface, weight, polish_ior);
@@ -88,7 +84,12 @@ ShadedPoint shade_principled(const Material& material,
         const Color3f diffuse = base_color * weight;
         bsdf.add(diffuse_lobe(diffuse, normal, point.ns), diffuse);
     }
-    return shaded;
+}
+
+Color3f principled_emission(const PrincipledInputs& inputs, const ShadingPoint& /*point*/)
+{
+    return positive_range(inputs.emission_color) * positive_range(inputs.emission_strength) *
+           unit_range(inputs.alpha);
 }
 
 }  // namespace eye_render

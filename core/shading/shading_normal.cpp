@@ -3,6 +3,7 @@
 #include "shading/shading_normal.h"
 
 #include "shading/material_input.h"
+#include "shading/visible_normal.h"
 
 #include <algorithm>
 
@@ -40,19 +41,7 @@ V3f mapped_normal(const Material& material,
 
 V3f visible_normal(const V3f& normal, const ShadingPoint& point)
 {
-    // Sines of the least elevation of the mirror direction: Cycles' choice.
-    constexpr float least_elevation = 0.01f;
-    constexpr float least_share_of_viewer = 0.9f;
-
-    const float cos_o = normal.dot(point.wo);
-    const V3f mirrored = normal * (2.0f * cos_o) - point.wo;
-    const float lift = std::min(least_share_of_viewer * point.ng.dot(point.wo), least_elevation) -
-                       point.ng.dot(mirrored);
-    if (cos_o > 0.0f && lift <= 0.0f) {
-        return normal;
-    }
-    const V3f lifted = (mirrored + point.ng * std::max(0.0f, lift)).normalized();
-    return (point.wo + lifted).normalized();
+    return visible_normal(normal, point.wo, point.ng);
 }
 
 }  // namespace eye_render

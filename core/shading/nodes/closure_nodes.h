@@ -1,0 +1,69 @@
+// The rows of closures.cpp, by family, and what their nodes share.
+
+#pragma once
+
+#include "shading/node.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace eye_render {
+
+// The one output of every surface closure.
+inline constexpr OutputSocket bsdf_output[] = {{"BSDF", SocketType::Shader}};
+
+[[nodiscard]] constexpr InputSocket number_input(std::string_view identifier, float value)
+{
+    return {identifier, SocketType::Number, NodeValue(value)};
+}
+
+[[nodiscard]] constexpr InputSocket color_input(std::string_view identifier, float value)
+{
+    return {identifier, SocketType::Color, NodeValue(value)};
+}
+
+[[nodiscard]] constexpr InputSocket normal_input(std::string_view identifier)
+{
+    return {identifier, SocketType::Vector, NodeValue(0.0f), ImplicitInput::Normal};
+}
+
+// For NodeType::make_closure: the node is made from its options.
+template <typename Node>
+[[nodiscard]] std::unique_ptr<const ClosureNode> make_closure(const NodeOptions& options,
+                                                              NodeResources& /*resources*/)
+{
+    return std::make_unique<Node>(options);
+}
+
+template <typename Node>
+[[nodiscard]] NodeType closure_type(std::string_view name,
+                                    std::span<const InputSocket> inputs,
+                                    std::span<const OutputSocket> outputs = bsdf_output,
+                                    std::span<const std::string_view> options = {})
+{
+    return {.name = name,
+            .inputs = inputs,
+            .outputs = outputs,
+            .options = options,
+            .role = NodeRole::Closure,
+            .reads_hit = true,
+            .make_closure = &make_closure<Node>};
+}
+
+// True where the input is known not to be more than zero, in any colour.
+[[nodiscard]] inline bool is_constantly_zero(ConstantInputs constants, std::size_t input)
+{
+    const std::optional<NodeValue>& value = constants[input];
+    return value && !(std::max({value->x, value->y, value->z}) > 0.0f);
+}
+
+[[nodiscard]] NodeType principled_node();
+[[nodiscard]] NodeType diffuse_node();
+[[nodiscard]] NodeType glossy_node();
+[[nodiscard]] NodeType glass_node();
+[[nodiscard]] NodeType emission_node();
+[[nodiscard]] NodeType background_node();
+[[nodiscard]] NodeType transparent_node();
+[[nodiscard]] NodeType holdout_node();
+
+}  // namespace eye_render
