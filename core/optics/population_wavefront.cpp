@@ -35,7 +35,7 @@ constexpr double measured_at_nm = 633.0;
 
 Wavefront population_wavefront(double pupil_diameter_m, EyeSide eye)
 {
-    require_range("pupil of the population's wavefront", mm_from_m(pupil_diameter_m),
+    require_range("pupil of the mean wavefront", mm_from_m(pupil_diameter_m),
                   mm_from_m(min_wavefront_pupil_m), mm_from_m(max_population_pupil_m), "mm");
     // Of the pupils measured, the next wider one and the one before it.
     const double pupil_mm = std::max(mm_from_m(pupil_diameter_m), population_means[0].pupil_mm);

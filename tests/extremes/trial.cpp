@@ -1,6 +1,7 @@
 #include "trial.h"
 
 #include "base/units.h"
+#include "optics/population_wavefront.h"
 
 #include <cmath>
 #include <ostream>
@@ -46,7 +47,11 @@ EyeSpec spec_of(const Trial& trial)
                  .zero = trial.zero,
                  .exact_trace = trial.exact_trace,
                  .worn = lens_of(trial)};
-    if (trial.model == EyeModelKind::Wavefront) spec.wavefront = wavefront_of(trial);
+    if (trial.model != EyeModelKind::Wavefront) return spec;
+    spec.wavefront =
+        trial.mean_wavefront
+            ? population_wavefront(std::max(spec.pupil_diameter_m, min_wavefront_pupil_m))
+            : wavefront_of(trial);
     return spec;
 }
 
@@ -90,7 +95,7 @@ std::ostream& operator<<(std::ostream& out, const Trial& trial)
     const auto precision = out.precision(17);
     out << to_string(trial.model) << ", rx at " << to_string(trial.rx_plane) << ", zero "
         << to_string(trial.zero) << (trial.exact_trace ? ", exact" : ", fitted")
-        << (trial.glasses ? ", glasses" : "");
+        << (trial.mean_wavefront ? ", mean wavefront" : "") << (trial.glasses ? ", glasses" : "");
     for (const std::span<const Input> inputs :
          {std::span<const Input>(eye_inputs), std::span<const Input>(lens_inputs),
           std::span<const Input>(ray_inputs), std::span<const Input>(&object_input, 1)}) {

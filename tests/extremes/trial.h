@@ -32,7 +32,8 @@ struct Trial {
     double pupil_mm = 4.0;
     double accommodation_d = 0.0;
     double eye_length_mm = 17.0;
-    double wavefront_um = 0.0;  // scale of a wavefront with all of its coefficients
+    double wavefront_um = 0.0;    // scale of a wavefront with all of its coefficients
+    bool mean_wavefront = false;  // instead, the population's over this pupil
 
     double lens_sphere_d = 0.0;
     double lens_cylinder_d = 0.0;
