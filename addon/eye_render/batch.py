@@ -2,7 +2,8 @@
 
 import difflib
 import sys
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import bpy
@@ -33,18 +34,36 @@ class Overrides:
     rx: str | None = None
     rx_left: str | None = None
     side: str | None = None  # "RIGHT" or "LEFT"
-    pupil: str | float | None = None  # "auto" or millimetres
-    focus: str | float | None = None  # "relaxed", "center" or metres
+    vertex: float | None = None  # millimetres
+    correction: str | None = None  # as the properties name it
+    worn: str | None = None  # "none", "own" or a prescription
+    worn_left: str | None = None
+    worn_part: str | None = None  # "FAR" or "NEAR"
     age: float | None = None
+    focus: str | float | None = None  # "relaxed", "camera", "center" or metres
+    pupil: str | float | None = None  # "auto" or millimetres
+    pupil_field: str | float | None = None  # "picture" or degrees
+    pupil_hold: bool | None = None
     model: str | None = None
+    wavefront: WavefrontFile | None = None
+    wavefront_left: WavefrontFile | None = None
+    refraction_zero: str | None = None
+    exact_trace: bool | None = None
+    chromatic: bool | None = None
+    stiles_crawford: str | None = None
     quality: str | None = None
     samples: int | None = None
     seed: int | None = None
     sample_range: tuple[int, int] | None = None
-    worn: str | None = None  # "none", "own" or a prescription
-    wavefront: WavefrontFile | None = None
     report: Path | None = None
     report_distances: tuple[float, ...] | None = None
+    given: dict[str, str] = field(default_factory=dict, compare=False)  # options, as typed
+
+    def spoken(self, options: Iterable[str]) -> str:
+        """Which of these options were given, and with what."""
+        return ", ".join(
+            f'{name} is "{self.given[name]}"' for name in options if name in self.given
+        )
 
 
 overrides = Overrides()
@@ -76,8 +95,9 @@ def parse(arguments: list[str]) -> Overrides:
                 raise OptionError(f"{option} has no value; expected {OPTIONS[option].allowed}")
         is_prescription = option in PRESCRIPTIONS
         try:
-            field = option.removeprefix("--eye-").replace("-", "_")
-            setattr(result, field, OPTIONS[option].read(value))
+            name = option.removeprefix("--eye-").replace("-", "_")
+            setattr(result, name, OPTIONS[option].read(value))
+            result.given[option] = value
         except ValueError as error:
             raise OptionError(f'{option} is "{value}"; {error}') from None
     return result
@@ -121,5 +141,10 @@ def register():
         if bpy.app.background:
             check_report(overrides, sys.argv[:end])
     except OptionError as error:
-        print(f"Eye Render: {error}", file=sys.stderr, flush=True)
-        sys.exit(EXIT_STATUS)
+        end_blender(error)
+
+
+def end_blender(error: OptionError) -> None:
+    """One line on what is wrong, and the status that says that the command line is."""
+    print(f"Eye Render: {error}", file=sys.stderr, flush=True)
+    sys.exit(EXIT_STATUS)

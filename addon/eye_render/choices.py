@@ -35,6 +35,11 @@ CORRECTIONS = [
     ("CONTACTS", "Contacts", "Contact lenses, on the cornea", 2),
 ]
 
+WORN_PARTS = [
+    ("FAR", "Far", "The part of the glasses for looking far away", 0),
+    ("NEAR", "Near", "The part of the glasses with the reading addition", 1),
+]
+
 WAVEFRONT_SOURCES = [
     ("POPULATION", "Mean Eye", "The mean of 200 healthy eyes (Thibos et al. 2002)", 0),
     ("MEASURED", "Measured", "What was measured in these eyes, from files", 1),
@@ -71,6 +76,12 @@ FOCUS_MODES = [
     ("RELAXED", "Relaxed", "The eye rests at its far point", 0),
     ("DISTANCE", "Distance", "The eye looks at the camera's focus distance or object", 1),
     ("CENTER", "Image Centre", "The eye looks at what lies in the middle of the picture", 2),
+]
+
+STILES_CRAWFORD_MODES = [
+    ("OFF", "Off", "Light counts the same wherever it enters the pupil", 0),
+    ("BRIGHTNESS", "Brightness", "Shapes blur alone: the picture stays as bright", 1),
+    ("ENERGY", "Energy", "The picture darkens by the light that cones do not answer to", 2),
 ]
 
 AMPLITUDE_FORMULAS = [

@@ -13,6 +13,10 @@ class EyeRenderError(RuntimeError):
     """Its text is a sentence for the user; no traceback is shown for it."""
 
 
+class BadValueError(EyeRenderError):
+    """Something that was asked for is out of range, or does not go with something else."""
+
+
 def _load() -> ModuleType:
     """The module next to this package, else the one on Python's path.
 
@@ -74,5 +78,9 @@ def speaking() -> Iterator[ModuleType]:
     """The native module; what it refuses becomes an EyeRenderError with the same sentence."""
     try:
         yield require()
-    except (ValueError, RuntimeError) as error:
+    except EyeRenderError:
+        raise
+    except ValueError as error:
+        raise BadValueError(str(error)) from error
+    except RuntimeError as error:
         raise EyeRenderError(str(error)) from error

@@ -4,8 +4,10 @@ import traceback
 
 import bpy
 
-from . import core, final, passes
-from .core import EyeRenderError
+from . import batch, core, final, passes
+from .batch import OptionError
+from .core import BadValueError, EyeRenderError
+from .options import OF_THE_RENDER, OPTIONS
 
 _VIEWPORT_SENTENCE = "Eye Render draws no picture in the viewport: press F12 to render"
 
@@ -24,10 +26,25 @@ class EyeRenderEngine(bpy.types.RenderEngine):
     def render(self, depsgraph):
         try:
             final.render(self, depsgraph)
+        except OptionError as error:
+            self._end(error)
+        except BadValueError as error:
+            of_the_eye = (option for option in OPTIONS if option not in OF_THE_RENDER)
+            asked = batch.overrides.spoken(of_the_eye)
+            if asked:
+                self._end(OptionError(f"{asked}; {error}"))
+            else:
+                self._fail(str(error))
         except Exception as error:
             if not isinstance(error, EyeRenderError):
                 traceback.print_exc()
             self._fail(str(error) or type(error).__name__)
+
+    def _end(self, error: OptionError) -> None:
+        """A command line that cannot be followed ends Blender, unless somebody sits before it."""
+        if bpy.app.background:
+            batch.end_blender(error)
+        self._fail(str(error))
 
     def _fail(self, sentence: str) -> None:
         """End the render so that Blender writes no file and exits with status 1."""

@@ -6,10 +6,10 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
-from . import batch, export, found, passes, reporting
+from . import batch, contradictions, export, found, passes, reporting
 from .core import EyeRenderError
 from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
-from .observer import has_automatic_pupil, make_observer, observer_arguments
+from .observer import has_automatic_pupil, holds_pupil, make_observer, observer_arguments
 from .session import RenderSession, make_settings
 
 SLICE_S = 0.1  # between looks at the Esc key
@@ -54,12 +54,13 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
     view_layer = depsgraph.view_layer_eval
     camera = engine.camera_override or depsgraph.scene_eval.camera
     check_camera(camera)
+    settings = camera.data.eye_render
+    contradictions.check(settings, batch.overrides)
     pass_names = passes.add(engine, view_layer)
     try:
         engine.update_stats("", "Exporting the scene")
         core_scene = export.export_scene(depsgraph, warn, check_cancel)
-        settings = camera.data.eye_render
-        is_held = settings.pupil_hold and has_automatic_pupil(settings, batch.overrides)
+        is_held = holds_pupil(settings, batch.overrides)
         known_pupil = found.first_pupil_of_render(camera.data) if is_held else None
         for view in engine.get_result().views:
             engine.active_view_set(view.name)
@@ -89,8 +90,10 @@ def _render_view(
 
     settings = camera.data.eye_render
     eye = _EYE_OF_STEREO_VIEW.get(view_name, overrides.side or settings.eye)
-    if eye == "LEFT" and not view_name and overrides.rx and overrides.rx_left is None:
-        warn("--eye-rx is for the right eye, but this picture is seen with the left")
+    own, others = ("rx", "rx_left") if eye == "RIGHT" else ("rx_left", "rx")
+    if not view_name and getattr(overrides, own) is None and getattr(overrides, others):
+        option = f"--eye-{others.replace('_', '-')}"
+        warn(f"{option} is not for the {eye.lower()} eye, which this picture is seen with")
     world_from_camera = np.array(engine.camera_model_matrix(camera))
     observer = make_observer(
         observer_arguments(

@@ -6,7 +6,7 @@ import bpy
 
 from . import choices, core, prescription, wavefront
 from .batch import Overrides
-from .core import EyeRenderError
+from .core import BadValueError, EyeRenderError
 
 
 def seen_eyes(
@@ -29,23 +29,22 @@ def observer_arguments(
     """What the core's Observer with the given eye ("RIGHT" or "LEFT") is told.
 
     `focus_m` is what the eye looks at if its focus mode is DISTANCE, `known_pupil_mm` what an
-    automatic pupil was found to be before. Raises EyeRenderError or ValueError.
+    automatic pupil was found to be before. Raises EyeRenderError.
     """
     pupil = _pupil(settings, overrides)
     if pupil == "auto" and known_pupil_mm is not None:
         pupil = known_pupil_mm
-    field_area_deg2 = None
-    if settings.pupil_field == "FIXED":
-        field_area_deg2 = math.pi / 4 * settings.pupil_field_deg**2
+    with core.speaking():
+        of_the_eye = eye_arguments(settings, overrides, eye)
     return {
-        **eye_arguments(settings, overrides, eye),
+        **of_the_eye,
         "age_years": settings.age if overrides.age is None else overrides.age,
         "amplitude_formula": settings.amplitude_formula,
         "pupil": pupil,
         "pupil_formula": settings.pupil_formula,
         "cd_m2_per_unit": scene_settings.cd_m2_per_unit,
         "luminance_sigma": scene_settings.luminance_sigma,
-        "field_area_deg2": field_area_deg2,
+        "field_area_deg2": _field_area_deg2(settings, overrides),
         "eyes": settings.pupil_eyes,
         "focus": focus(settings, overrides, focus_m),
     }
@@ -61,43 +60,76 @@ def eye_arguments(
     settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str
 ) -> dict[str, object]:
     """What the core's Observer and its Eye are told alike. Raises EyeRenderError or ValueError."""
-    model = _model(settings, overrides)
+    model = model_of(settings, overrides)
     arguments = {
         "model": model.lower(),
         "rx": _own(settings, overrides, eye),
-        "vertex_mm": settings.vertex_mm,
+        "vertex_mm": _ruled(overrides.vertex, settings.vertex_mm),
         **_worn(settings, overrides, eye),
     }
     if model == "WAVEFRONT":
         arguments["wavefront"] = _wavefront(settings, overrides, eye)
     elif model in choices.SCHEMATIC_MODELS:
-        arguments["refraction_zero"] = settings.refraction_zero.lower()
-        arguments["exact_trace"] = settings.exact_trace
+        zero = overrides.refraction_zero or settings.refraction_zero
+        arguments["refraction_zero"] = zero.lower()
+        arguments["exact_trace"] = _ruled(overrides.exact_trace, settings.exact_trace)
     return arguments
+
+
+def _ruled(override: object, setting: object) -> object:
+    """What the command line says, where it says anything."""
+    return setting if override is None else override
 
 
 def focus(settings: bpy.types.PropertyGroup, overrides: Overrides, focus_m: float) -> str | float:
     """ "relaxed", "center" or metres."""
-    if overrides.focus is not None:
-        return overrides.focus
-    return {"RELAXED": "relaxed", "CENTER": "center", "DISTANCE": focus_m}[settings.focus_mode]
+    of_file = {"RELAXED": "relaxed", "CENTER": "center", "DISTANCE": focus_m}[settings.focus_mode]
+    asked = _ruled(overrides.focus, of_file)
+    return focus_m if asked == "camera" else asked
 
 
 def has_automatic_pupil(settings: bpy.types.PropertyGroup, overrides: Overrides) -> bool:
     """Whether the light of the scene decides how wide the pupil is."""
-    return _model(settings, overrides) != "PINHOLE" and _pupil(settings, overrides) == "auto"
+    return model_of(settings, overrides) != "PINHOLE" and _pupil(settings, overrides) == "auto"
 
 
-def _model(settings: bpy.types.PropertyGroup, overrides: Overrides) -> str:
+def holds_pupil(settings: bpy.types.PropertyGroup, overrides: Overrides) -> bool:
+    """Whether the frames of an animation share the automatic pupil of the first."""
+    is_held = _ruled(overrides.pupil_hold, settings.pupil_hold)
+    return is_held and has_automatic_pupil(settings, overrides)
+
+
+def model_of(settings: bpy.types.PropertyGroup, overrides: Overrides) -> str:
     if overrides.model is not None:
         return overrides.model
-    return "WAVEFRONT" if overrides.wavefront is not None else settings.model
+    has_file = overrides.wavefront is not None or overrides.wavefront_left is not None
+    return "WAVEFRONT" if has_file else settings.model
+
+
+def correction_of(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str) -> str:
+    """What the eye wears: "NONE", "GLASSES" or "CONTACTS"."""
+    worn = worn_override(overrides, eye)
+    if worn == "none":
+        return "NONE"
+    correction = overrides.correction or settings.correction
+    return "GLASSES" if correction == "NONE" and worn is not None else correction
+
+
+def worn_override(overrides: Overrides, eye: str) -> str | None:
+    """ "none", "own" or a prescription; None where the command line says nothing."""
+    return overrides.worn if eye == "RIGHT" else _ruled(overrides.worn_left, overrides.worn)
 
 
 def _pupil(settings: bpy.types.PropertyGroup, overrides: Overrides) -> str | float:
-    if overrides.pupil is not None:
-        return overrides.pupil
-    return "auto" if settings.pupil_mode == "AUTO" else settings.pupil_mm
+    of_file = "auto" if settings.pupil_mode == "AUTO" else settings.pupil_mm
+    return _ruled(overrides.pupil, of_file)
+
+
+def _field_area_deg2(settings: bpy.types.PropertyGroup, overrides: Overrides) -> float | None:
+    """None for the picture's own field."""
+    of_file = settings.pupil_field_deg if settings.pupil_field == "FIXED" else "picture"
+    diameter_deg = _ruled(overrides.pupil_field, of_file)
+    return None if diameter_deg == "picture" else math.pi / 4 * diameter_deg**2
 
 
 def _own(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str):
@@ -110,29 +142,29 @@ def _own(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str):
 
 
 def _worn(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str) -> dict[str, object]:
-    correction = settings.correction
-    if overrides.worn == "none":
-        correction = "NONE"
-    elif overrides.worn is not None and correction == "NONE":
-        correction = "GLASSES"
+    correction = correction_of(settings, overrides, eye)
     if correction == "NONE":
         return {}
+    is_near = _ruled(overrides.worn_part, "NEAR" if settings.worn_add else "FAR") == "NEAR"
     arguments = {
         "correction": correction.lower(),
-        "near_part": correction == "GLASSES" and settings.worn_add,
+        "near_part": correction == "GLASSES" and is_near,
     }
-    if overrides.worn is None:
+    text = worn_override(overrides, eye)
+    if text is None:
         worn = settings.left_worn if eye == "LEFT" else settings.right_worn
         _refuse(worn.problem(), f"What the {eye.lower()} eye wears")
         arguments["worn"] = worn.as_core()
-    elif overrides.worn != "own":
-        arguments["worn"] = prescription.parse(overrides.worn, eye)
+    elif text != "own":
+        arguments["worn"] = prescription.parse(text, eye)
     return arguments
 
 
 def _wavefront(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str):
     """None for the mean of healthy eyes."""
     measured = overrides.wavefront
+    if eye == "LEFT":
+        measured = _ruled(overrides.wavefront_left, measured)
     if measured is None:
         if settings.wavefront_source == "POPULATION":
             return None
@@ -140,8 +172,8 @@ def _wavefront(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str
         if not measured.is_there:
             raise EyeRenderError(f"No wavefront of the {eye.lower()} eye has been imported")
     elif measured.side not in ("", prescription.SIDE_OF_EYE[eye]):
-        raise EyeRenderError(
-            f"--eye-wavefront is of the eye {measured.side}, "
+        raise BadValueError(
+            f"the wavefront is of the eye {measured.side}, "
             f"but this picture is seen with the {eye.lower()} eye"
         )
     return wavefront.as_core(measured)

@@ -10,7 +10,13 @@ from . import choices, core, wavefront
 from .prescription import parse as parse_prescription
 
 HELP = "--eye-help"
-PRESCRIPTIONS = ("--eye-rx", "--eye-rx-left", "--eye-worn")  # of several words, so quoted
+# Of several words, so quoted.
+PRESCRIPTIONS = ("--eye-rx", "--eye-rx-left", "--eye-worn", "--eye-worn-left")
+# What is not about the eye, so that no eye can be impossible because of it.
+OF_THE_RENDER = {
+    *("--eye-quality", "--eye-samples", "--eye-seed", "--eye-sample-range"),
+    *("--eye-report", "--eye-report-distances"),
+}
 
 
 class Option(NamedTuple):
@@ -47,6 +53,17 @@ def _one_of(items: list[tuple], meaning: str) -> Option:
         return text.upper()
 
     return Option(allowed, meaning, read)
+
+
+def _switch(meaning: str) -> Option:
+    words = {"on": True, "off": False}
+
+    def read(text: str) -> bool:
+        if text.lower() not in words:
+            raise ValueError("expected on or off")
+        return words[text.lower()]
+
+    return Option("on, off", meaning, read)
 
 
 def _spoken(number: float) -> str:
@@ -123,38 +140,71 @@ def read_distances(text: str) -> tuple[float, ...]:
     return tuple(sorted(distances))
 
 
+_WORN_ALLOWED = "none, own or such as -2.00DS"
+
 OPTIONS: dict[str, Option] = {
     "--eye-rx": _prescription("RIGHT", "prescription of the right eye"),
     "--eye-rx-left": _prescription("LEFT", "prescription of the left eye"),
+    "--eye-side": _one_of(choices.EYES, "the eye to look through"),
+    "--eye-vertex": _number(
+        float, choices.VERTEX_RANGE_MM, "from cornea to glasses, refracted with or worn", " mm"
+    ),
+    "--eye-correction": _one_of(choices.CORRECTIONS, "what is worn before the eyes"),
     "--eye-worn": Option(
-        "none, own or such as -2.00DS",
-        "what the glasses or contact lenses are made to; own: what the eye needs",
+        _WORN_ALLOWED,
+        "what the glasses (or contact lenses) are made to; own: what the eye needs",
         _worn,
     ),
-    "--eye-side": _one_of(choices.EYES, "the eye to look through"),
-    "--eye-pupil": _number(
-        float, choices.PUPIL_RANGE_MM, "diameter of the pupil", " mm", {"auto": "auto"}
+    "--eye-worn-left": Option(
+        _WORN_ALLOWED, "the same for the left eye, where it differs from the right", _worn
+    ),
+    "--eye-worn-part": _one_of(
+        choices.WORN_PARTS, "the part of the glasses to look through, near: with the add"
+    ),
+    "--eye-age": _number(
+        float, choices.AGE_RANGE_YEARS, "limits accommodation, narrows the pupil", " years"
     ),
     "--eye-focus": _number(
         float,
         choices.FOCUS_RANGE_M,
-        "what the eye looks at; inf is far away, relaxed its far point",
+        "what the eye looks at: inf is far away, relaxed its far point, camera what the camera "
+        "is focused at, center the middle of the picture",
         " metres",
         {
             "relaxed": "relaxed",
+            "camera": "camera",
             "center": "center",
             "inf": math.inf,
             "infinity": math.inf,
         },
     ),
-    "--eye-age": _number(
-        float, choices.AGE_RANGE_YEARS, "limits accommodation, narrows the pupil", " years"
+    "--eye-pupil": _number(
+        float, choices.PUPIL_RANGE_MM, "diameter of the pupil", " mm", {"auto": "auto"}
     ),
+    "--eye-pupil-field": _number(
+        float,
+        choices.FIELD_RANGE_DEG,
+        "diameter of the field whose light the automatic pupil answers to",
+        " degrees",
+        {"picture": "picture"},
+    ),
+    "--eye-pupil-hold": _switch("keeps the pupil that the first frame finds for all frames"),
     "--eye-model": _one_of(
         choices.EYE_MODELS, "how the eye turns a point of its pupil into a ray"
     ),
     "--eye-wavefront": Option(
         "a file, CSV or JSON", "measured aberrations, for the model wavefront", wavefront.read
+    ),
+    "--eye-wavefront-left": Option(
+        "a file, CSV or JSON", "the same of the left eye, where there are two", wavefront.read
+    ),
+    "--eye-refraction-zero": _one_of(
+        choices.REFRACTION_ZEROS, "what no prescription means for an eye with real surfaces"
+    ),
+    "--eye-exact-trace": _switch("traces each ray through the real surfaces, not their map"),
+    "--eye-chromatic": _switch("lets the eye focus each colour at its own distance"),
+    "--eye-stiles-crawford": _one_of(
+        choices.STILES_CRAWFORD_MODES, "whether light counts less away from the pupil's middle"
     ),
     "--eye-quality": _one_of(choices.QUALITIES, "how many samples are taken of each pixel"),
     "--eye-samples": _number(int, choices.SAMPLES_RANGE, "samples of each pixel"),

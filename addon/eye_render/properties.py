@@ -207,9 +207,11 @@ class EyeRenderScene(PropertyGroup):
         name="Chromatic",
         description="Let the eye focus each colour at its own distance, as eyes do",
     )
-    stiles_crawford: BoolProperty(
+    stiles_crawford: EnumProperty(
         name="Stiles-Crawford",
         description="Weight light by where it enters the pupil, as cones do, most in the middle",
+        items=choices.STILES_CRAWFORD_MODES,
+        default="OFF",
     )
     pupil_pattern: EnumProperty(
         name="Pupil Pattern",

@@ -33,8 +33,8 @@ def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list
             threads=scene.render.threads if scene.render.threads_mode == "FIXED" else 0,
             film_transparent=scene.render.film_transparent,
             filter_width_px=min(max(scene.render.filter_size, narrowest), widest),
-            chromatic=settings.chromatic,
-            stiles_crawford=settings.stiles_crawford,
+            chromatic=settings.chromatic if overrides.chromatic is None else overrides.chromatic,
+            stiles_crawford=overrides.stiles_crawford or settings.stiles_crawford,
         )
 
 

@@ -4,6 +4,7 @@ from pathlib import Path
 
 import pytest
 from eye_render import batch, options
+from test_render import file_info
 
 
 def test_values_are_read_with_either_way_of_writing_them():
@@ -16,7 +17,10 @@ def test_all_options_are_read():
     options = (
         "--eye-rx -1 --eye-rx-left +1 --eye-side left --eye-pupil 3.5 --eye-focus 0.4 "
         "--eye-age 45 --eye-model pinhole --eye-quality draft --eye-samples 8 --eye-seed 7 "
-        "--eye-sample-range 4:8 --eye-worn NONE"
+        "--eye-sample-range 4:8 --eye-worn NONE --eye-worn-left -1 --eye-worn-part near "
+        "--eye-correction contacts --eye-vertex 14 --eye-pupil-field 60 --eye-pupil-hold on "
+        "--eye-refraction-zero minimum_rms_spot --eye-exact-trace OFF --eye-chromatic on "
+        "--eye-stiles-crawford energy --eye-report eye.json --eye-report-distances inf,0.3,6"
     )
     assert batch.parse(options.split()) == batch.Overrides(
         rx="-1",
@@ -31,7 +35,24 @@ def test_all_options_are_read():
         seed=7,
         sample_range=(4, 8),
         worn="none",
+        worn_left="-1",
+        worn_part="NEAR",
+        correction="CONTACTS",
+        vertex=14.0,
+        pupil_field=60.0,
+        pupil_hold=True,
+        refraction_zero="MINIMUM_RMS_SPOT",
+        exact_trace=False,
+        chromatic=True,
+        stiles_crawford="ENERGY",
+        report=Path("eye.json"),
+        report_distances=(0.3, 6.0, math.inf),
     )
+
+
+def test_every_option_has_its_field():
+    for option in options.OPTIONS:
+        assert hasattr(batch.Overrides(), option.removeprefix("--eye-").replace("-", "_")), option
 
 
 def test_words_stand_for_numbers_where_they_may():
@@ -73,7 +94,7 @@ def test_options_of_others_are_passed_over():
             "OD -2.00",
             "OD means the right eye, but this is the prescription of the",
         ),
-        ("--eye-focus", "0", "expected 0.01 to 1 000 000 000 000 metres, relaxed, center, inf or"),
+        ("--eye-focus", "0", "expected 0.01 to 1 000 000 000 000 metres, relaxed, camera"),
         ("--eye-samples", "99999999", "expected 1 to 16 777 216"),
         ("--eye-samples", "1,5", "expected 1 to"),
         ("--eye-age", "-3", "expected 0 to 120 years"),
@@ -82,6 +103,17 @@ def test_options_of_others_are_passed_over():
         ("--eye-samples", "1.5", "expected 1 to"),
         ("--eye-sample-range", "8:4", "expected A:B"),
         ("--eye-sample-range", "8", "expected A:B"),
+        ("--eye-correction", "monocle", "expected none, glasses, contacts"),
+        ("--eye-vertex", "21", "expected 0 to 20 mm"),
+        ("--eye-worn-part", "middle", "expected far, near"),
+        ("--eye-chromatic", "yes", "expected on or off"),
+        ("--eye-stiles-crawford", "on", "expected off, brightness, energy"),
+        ("--eye-refraction-zero", "0", "expected paraxial, minimum_rms_spot"),
+        ("--eye-pupil-field", "0", "expected 0.1 to 180 degrees or picture"),
+        ("--eye-report-distances", "1;2", "expected 1 to 8 distances in metres"),
+        ("--eye-report-distances", "0.001", "each 0.01 to 1 000 000 000 000 or inf"),
+        ("--eye-report-distances", "1,2,3,4,5,6,7,8,9", "expected 1 to 8 distances"),
+        ("--eye-report-distances", "nan", "expected 1 to 8 distances"),
     ],
 )
 def test_a_bad_value_is_answered_with_option_value_and_what_is_allowed(option, value, allowed):
@@ -167,3 +199,78 @@ def test_rays_that_the_eye_loses_are_told(run_blender, picture):
     assert ended.returncode == 0, ended.stdout + ended.stderr
     assert picture.exists()
     assert "of the rays are lost in the eye: " in ended.stdout
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sentence"),
+    [
+        (
+            ("--eye-correction", "none", "--eye-worn", "-2.00DS"),
+            '--eye-correction is "none", --eye-worn is "-2.00DS"; expected --eye-correction',
+        ),
+        (
+            ("--eye-correction", "contacts", "--eye-worn", "none"),
+            '--eye-correction is "contacts", --eye-worn is "none"; expected --eye-worn own or',
+        ),
+        (
+            ("--eye-worn-part", "near"),
+            '--eye-worn-part is "near", but no glasses are worn; expected --eye-correction',
+        ),
+        (
+            ("--eye-worn-part", "near", "--eye-correction", "contacts"),
+            '--eye-worn-part is "near", --eye-correction is "contacts", but no glasses are worn',
+        ),
+        (
+            ("--eye-wavefront", "{wavefront}", "--eye-model", "navarro"),
+            '--eye-wavefront is "{wavefront}", --eye-model is "navarro"; expected --eye-model',
+        ),
+        (
+            ("--eye-exact-trace", "on"),
+            '--eye-exact-trace is "on", but the eye\'s model is paraxial; expected --eye-model',
+        ),
+        (
+            ("--eye-report", "{report}", "--eye-pupil", "0"),
+            '--eye-report is "{report}", --eye-pupil is "0", but an eye without a pupil\'s width',
+        ),
+        # What the core refuses, once it knows the file, too.
+        (
+            ("--eye-wavefront", "{wavefront}", "--eye-pupil", "8"),
+            '--eye-pupil is "8", --eye-wavefront is "{wavefront}"; a wavefront measured over',
+        ),
+        (
+            ("--eye-wavefront", "{wavefront}", "--eye-side", "left"),
+            '--eye-side is "left", --eye-wavefront is "{wavefront}"; the wavefront is of the eye',
+        ),
+        (("--eye-worn", "OS -2.00"), '--eye-worn is "OS -2.00"; OS means the left eye'),
+        (
+            ("--eye-rx", "+30 +15 x 90", "--eye-vertex", "20", "--eye-model", "paper"),
+            '--eye-rx is "+30 +15 x 90", --eye-vertex is "20", --eye-model is "paper"; a lens of',
+        ),
+    ],
+)
+def test_options_that_do_not_go_together_end_blender_with_status_2_and_no_picture(
+    run_blender, picture, tmp_path, arguments, sentence
+):
+    wavefront = tmp_path / "eye.csv"
+    wavefront.write_text("pupil_mm,6\nwavelength_nm,555\neye,OD\nj,coefficient_um\n7,0.1\n")
+    files = {"wavefront": str(wavefront), "report": str(tmp_path / "eye.json")}
+    ended = run_blender("--", *(argument.format(**files) for argument in arguments))
+    assert ended.returncode == 2, ended.stdout + ended.stderr
+    assert f"Eye Render: {sentence.format(**files)}" in ended.stderr
+    assert not picture.exists()
+
+
+def test_what_the_light_does_in_the_eye_can_be_chosen(run_blender, picture):
+    chosen = ("--eye-chromatic", "on", "--eye-stiles-crawford", "energy")
+    eye = ("--eye-model", "navarro", "--eye-exact-trace", "on", "--eye-rx", "-20.00DS")
+    ended = run_blender("--", *chosen, *eye, "--eye-pupil", "6")  # blur that pixels can show
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    info = file_info(str(picture))
+    assert 'eye_render:chromatic: "yes"' in info
+    assert 'eye_render:stiles_crawford: "energy"' in info.lower()
+    assert 'eye_render:exact_trace: "yes"' in info
+
+
+def test_a_prescription_for_the_eye_that_does_not_look_is_told(run_blender):
+    ended = run_blender("--", "--eye-rx-left", "-2.00DS")
+    assert "warning: --eye-rx-left is not for the right eye, which this" in ended.stdout

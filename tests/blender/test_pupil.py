@@ -7,7 +7,7 @@ import bpy
 import pytest
 from eye_render import found
 from eye_render.batch import Overrides
-from eye_render.observer import observer_arguments
+from eye_render.observer import holds_pupil, observer_arguments
 from test_render import file_info, wall
 
 PUPIL_LINE = re.compile(r"Eye Render: pupil: ([\d.]+) mm(.*)")
@@ -135,3 +135,19 @@ def test_a_manual_pupil_is_no_ones_else(automatic):
     settings.pupil_mode = "MANUAL"
     told = observer_arguments(settings, automatic.eye_render, Overrides(), "RIGHT", 1.0, 7.0)
     assert told["pupil"] == 4.0
+
+
+def test_the_command_line_says_what_the_pupil_answers_to(automatic):
+    settings = automatic.camera.data.eye_render
+
+    def told(**said) -> dict[str, object]:
+        overrides = Overrides(**said)
+        return observer_arguments(settings, automatic.eye_render, overrides, "RIGHT", 1.0, None)
+
+    assert told()["field_area_deg2"] is None
+    assert told(pupil_field=20.0)["field_area_deg2"] == pytest.approx(math.pi * 10.0**2)
+    settings.pupil_field = "FIXED"
+    assert told(pupil_field="picture")["field_area_deg2"] is None
+    assert told(focus="camera")["focus"] == 1.0
+    assert holds_pupil(settings, Overrides(pupil_hold=True))
+    assert not holds_pupil(settings, Overrides(pupil_hold=True, pupil=4.0))

@@ -53,6 +53,8 @@ def test_every_choice_is_one_the_core_knows():
     assert amplitudes == list(core.module.AMPLITUDE_FORMULAS)
     zeros = [item[0].lower() for item in choices.REFRACTION_ZEROS]
     assert zeros == list(core.module.REFRACTION_ZEROS)
+    modes = [item[0] for item in choices.STILES_CRAWFORD_MODES]
+    assert modes == list(core.module.STILES_CRAWFORD_MODES)
     assert [item[0] for item in choices.PUPIL_PATTERNS] == list(core.module.PUPIL_PATTERNS)
 
 

@@ -125,6 +125,19 @@ def test_a_wavefront_of_the_command_line_makes_the_eye_a_wavefront_eye(
 def test_a_wavefront_of_the_other_eye_is_refused(scene, write):
     observer = scene.camera.data.eye_render
     of_left = wavefront.read(write(CSV + "eye,OS\n"))
-    with pytest.raises(EyeRenderError, match="--eye-wavefront is of the eye OS"):
+    with pytest.raises(EyeRenderError, match="the wavefront is of the eye OS"):
         eye_arguments(observer, Overrides(wavefront=of_left), "RIGHT")
     assert eye_arguments(observer, Overrides(wavefront=of_left), "LEFT")["model"] == "wavefront"
+
+
+def test_each_eye_has_its_wavefront_of_the_command_line(scene, write):
+    observer = scene.camera.data.eye_render
+    both = Overrides(
+        wavefront=wavefront.read(write(CSV + "eye,OD\n")),
+        wavefront_left=wavefront.read(write(CSV.replace("0.2", "0.3") + "eye,OS\n")),
+    )
+    told = {
+        eye: eye_arguments(observer, both, eye)["wavefront"].coefficients_um[12]
+        for eye in ("RIGHT", "LEFT")
+    }
+    assert told == {"RIGHT": pytest.approx(0.2), "LEFT": pytest.approx(0.3)}

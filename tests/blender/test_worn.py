@@ -82,6 +82,26 @@ def test_the_command_line_rules_what_is_worn(observer, correction, option, expec
         assert (arguments["correction"], worn and worn.sphere_d) == expected
 
 
+def test_each_eye_of_the_command_line_wears_its_own(observer):
+    both = {"worn": "-3.00", "worn_left": "-5.00"}
+    assert told(observer, "RIGHT", **both)["worn"].sphere_d == -3.0
+    assert told(observer, "LEFT", **both)["worn"].sphere_d == -5.0
+    assert told(observer, "LEFT", worn="-3.00")["worn"].sphere_d == -3.0
+    one_lens = {"correction": "CONTACTS", "worn": "none", "worn_left": "own"}
+    assert "correction" not in told(observer, "RIGHT", **one_lens)
+    assert told(observer, "LEFT", **one_lens)["correction"] == "contacts"
+
+
+def test_the_command_line_says_how_it_is_worn(observer):
+    observer.correction = "CONTACTS"
+    arguments = told(observer, correction="GLASSES", worn_part="NEAR", vertex=14.0)
+    assert (arguments["correction"], arguments["near_part"]) == ("glasses", True)
+    assert arguments["vertex_mm"] == 14.0
+    observer.worn_add = True
+    assert not told(observer, correction="GLASSES", worn_part="FAR")["near_part"]
+    assert "correction" not in told(observer, correction="NONE")
+
+
 def test_full_correction_is_in_the_files_metadata(scene, observer, render):
     observer.correction = "GLASSES"
     render()

@@ -188,9 +188,12 @@ def _draw_through_focus(axes: Axes, report: dict) -> None:
         )
     airy_rms = report["airy_radius_arcmin"] / math.sqrt(2.0)
     axes.axhspan(0.0, airy_rms, color=_NO_EYE, lw=0)
+    # On the side where the curve is high.
+    is_best_at_right = report["best_focus_d"] > (vergences[0] + vergences[-1]) / 2
     axes.text(
-        0.985, airy_rms, "below: diffraction is stronger", transform=axes.get_yaxis_transform(),
-        ha="right", va="bottom", color="0.35", fontsize=11,
+        0.015 if is_best_at_right else 0.985, airy_rms, "below: diffraction is stronger",
+        ha="left" if is_best_at_right else "right", va="bottom", color="0.35", fontsize=11,
+        transform=axes.get_yaxis_transform(),
     )  # fmt: skip
     axes.set(xlim=(vergences[0], vergences[-1]))
     axes.set_ylim(bottom=0.0)
