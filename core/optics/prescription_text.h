@@ -6,7 +6,9 @@
 //   -2.00 / -0.75 x 160       also `@`, `ax`, `axis`, a bare whole number, or a degree sign
 //   OD -1.25 DS, LE +1.50 sph, R plano -0.75 x 090, sph -2 cyl. -0.5 axis 20, ... add +2.00
 //   Rx: -2.00 dpt, (-2.00 -0.75 x 160), OD [-2.00DS-0.75DCx160] add +2.00, 0.00/0.00x0
-//   -2.00 2Δ BU 1.5Δ BI        prisms with their bases; also `^`, `pd`, `base up`
+//   -2.00 (-0.75 x 160)       as minus-cylinder forms print it
+//   -2.00 2Δ BU 1.5Δ BI        prisms with their bases; also `^`, `pd`, `base up`, `prism 2 BO`,
+//                             `(2 BO)`
 // Eyes: OD RE R right, OS LE L left, OU BE both. Plano, PL or an infinity sign is a sphere of 0.
 // Nothing is guessed: a cylinder needs its sign and its axis, a power needs its decimal point once
 // it has three digits, a bracket its other half. Axis 0 becomes 180; a zero cylinder drops its

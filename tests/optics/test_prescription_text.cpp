@@ -80,6 +80,11 @@ TEST(PrescriptionText, reads_the_notations_in_use)
              "[-2.00DS / -0.75DC x 160]",
              "Rx (-2.00 -0.75 x 160)",
              "\uff08-2.00 -0.75 x 160\uff09",
+             "-2.00 (-0.75 x 160)",
+             "-2.00DS (-0.75DC x 160)",
+             "-2.00 / (-0.75 x 160)",
+             "(-2.00 (-0.75 x 160))",
+             "Rx [-2.00] [-0.75 x 160]",
          }) {
         EXPECT_EQ(outcome(text), same) << text;
     }
@@ -122,6 +127,14 @@ TEST(PrescriptionText, never_guesses)
     EXPECT_EQ(outcome("-2.00 -0.75 x 160)"), "syntax");
     EXPECT_EQ(outcome("(OD (-2.00)"), "syntax");
     EXPECT_EQ(outcome("()"), "syntax");
+    EXPECT_EQ(outcome("-2.00 ()"), "syntax");
+    EXPECT_EQ(outcome("-2.00 (-0.75 x 160"), "syntax");
+    EXPECT_EQ(outcome("-2.00 (-0.75) x 160"), "axis_missing");
+    EXPECT_EQ(outcome("-2.00 (0.75 x 160)"), "syntax");
+    EXPECT_EQ(outcome("-2.00 (2 BO"), "syntax");
+    EXPECT_EQ(outcome("-2.00 prism BO"), "syntax");
+    EXPECT_EQ(outcome("-2.00 prism 2"), "syntax");
+    EXPECT_EQ(outcome("-2.00 (prism 2 BO 3)"), "syntax");
     EXPECT_EQ(outcome("Rx:"), "syntax");
     EXPECT_EQ(outcome("-2.00 0.00 x 160"), "syntax");
     EXPECT_EQ(outcome("-2.00 / 0.75 x 160"), "syntax");
@@ -156,10 +169,17 @@ TEST(PrescriptionText, prisms_are_read_with_their_bases)
     EXPECT_EQ(rx.base_in_pd, -1.5);
     EXPECT_EQ(rx.add_d, 2.0);
     EXPECT_EQ(rx.axis_deg, 160.0);
-    for (const char* text : {"-2.00 3 BI", "-2.00DS 3pd base in", "-2.00 add 1.00 3.00\u2206 BI",
-                             "-2.00 1^ BI 2^ BI", "(-2.00 3 prism in)"}) {
+    for (const char* text :
+         {"-2.00 3 BI", "-2.00DS 3pd base in", "-2.00 add 1.00 3.00\u2206 BI", "-2.00 1^ BI 2^ BI",
+          "(-2.00 3 prism in)", "-2.00 prism 3 BI", "-2.00 Prism: 3\u0394 BI", "-2.00 (3 BI)",
+          "-2.00 (1 BI 2 BI)", "-2.00 (1 BI) prism 2 BI", "-2.00 add 1.00 (prism 3 base in)",
+          "(-2.00 (3 BI))"}) {
         EXPECT_EQ(parse_prescription(text).base_in_pd, 3.0) << text;
         EXPECT_EQ(parse_prescription(text).cylinder_d, 0.0) << text;
+    }
+    for (const char* text : {"-2.00 (-0.75 x 160) (2 BO)", "-2.00 -0.75 x 160 prism 2 BO",
+                             "(-2.00 (-0.75 x 160) 2 BO)", "-2.00 -0.75 x 160 (prism 2 BO)"}) {
+        EXPECT_EQ(outcome(text), "-2.00DS -0.75DC 160A 2.00\u0394 BO") << text;
     }
     const Prescription both{.sphere_d = 1.0, .base_in_pd = -0.5, .base_up_pd = 2.25};
     EXPECT_EQ(format_prescription(both), "+1.00DS 0.50\u0394 BO 2.25\u0394 BU");
