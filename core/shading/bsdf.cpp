@@ -21,12 +21,12 @@ void Bsdf::add(const Lobe& lobe, const Color3f& albedo)
         return;
     }
     const bool is_delta = lobe.is_delta();
+    importance_ += importance;
+    has_finite_lobe_ |= !is_delta;
+    transmits_ |= !is_delta && lobe.transmits();
     const auto i = static_cast<std::size_t>(count_++);
     lobes_[i] = lobe;
     shares_[i] = {importance, is_delta};
-    importance_ += importance;
-    has_finite_lobe_ |= !is_delta;
-    transmits_ |= !is_delta && lobe.kind == LobeKind::Glass;
     if (lobe.kind != LobeKind::Straight) {
         albedo_ += albedo;
     }
@@ -72,13 +72,21 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const V2f& u) const
     }
     if (share.is_delta) {
         const Color3f weight = drawn->delta_weight * (importance_ / share.importance);
-        return BsdfSample{drawn->wi, weight, 0.0f, true, lobes_[i].kind == LobeKind::Straight};
+        return BsdfSample{.wi = drawn->wi,
+                          .weight = weight,
+                          .is_delta = true,
+                          .is_straight = lobes_[i].kind == LobeKind::Straight,
+                          .is_transmitted = drawn->is_transmitted};
     }
     const BsdfValue mixture = evaluate(drawn->wi);
     if (!(mixture.pdf > 0.0f)) {
         return std::nullopt;
     }
-    return BsdfSample{drawn->wi, mixture.value / mixture.pdf, mixture.pdf};
+    return BsdfSample{.wi = drawn->wi,
+                      .weight = mixture.value / mixture.pdf,
+                      .pdf = mixture.pdf,
+                      .is_transmitted = drawn->is_transmitted,
+                      .is_diffuse = lobes_[i].is_diffuse()};
 }
 
 }  // namespace eye_render

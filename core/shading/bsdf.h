@@ -23,6 +23,8 @@ struct BsdfSample {
     bool is_delta = false;
     // Passed straight through, as if the surface were not there: not a bounce.
     bool is_straight = false;
+    bool is_transmitted = false;  // to the other side of the surface
+    bool is_diffuse = false;      // drawn from a wide lobe, not a glossy one
 };
 
 class Bsdf {

@@ -1,5 +1,5 @@
-// Orthonormal basis around a unit vector, by Duff et al. 2017, "Building an Orthonormal Basis,
-// Revisited" (JCGT 6(1)).
+// Orthonormal basis around a unit vector: along a given tangent, or any, by Duff et al. 2017,
+// "Building an Orthonormal Basis, Revisited" (JCGT 6(1)).
 
 #pragma once
 
@@ -19,6 +19,11 @@ struct Frame {
         const float b = n.x * n.y * a;
         s = {1.0f + sign * n.x * n.x * a, sign * b, -sign * n.x};
         t = {b, sign + n.y * n.y * a, -n.y};
+    }
+
+    // With s along a unit vector across the normal.
+    Frame(const V3f& normal, const V3f& tangent) : s(tangent), t(normal.cross(tangent)), n(normal)
+    {
     }
 
     [[nodiscard]] V3f world_from_local(const V3f& v) const { return s * v.x + t * v.y + n * v.z; }

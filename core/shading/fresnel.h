@@ -73,4 +73,54 @@ inline constexpr float mean_schlick_blend = 1.0f / 21.0f;
     return f0 + (Color3f(1.0f) - f0) * blend;
 }
 
+// The part of the way from reflectance `f0` at normal incidence to 1 that `reflectance` has gone:
+// for reflection that is tinted at normal incidence and white at grazing.
+[[nodiscard]] inline float dielectric_blend(float reflectance, float f0)
+{
+    return std::clamp((reflectance - f0) / (1.0f - f0), 0.0f, 1.0f);
+}
+
+// Schlick's approximation with a dip near 82 degrees, where real metals have their colour: Kutz,
+// Hasan & Edmondson 2021, "Novel aspects of the Adobe Standard Material". `edge` is of
+// f82_edge.
+[[nodiscard]] inline Color3f f82_fresnel(float cos_incident,
+                                         const Color3f& f0,
+                                         const Color3f& edge)
+{
+    const float m = std::clamp(1.0f - cos_incident, 0.0f, 1.0f);
+    const float m2 = m * m;
+    const float m5 = m2 * m2 * m;
+    const Color3f f = blend_to_white(f0, m5) - edge * (cos_incident * m5 * m);
+    return {std::clamp(f.x, 0.0f, 1.0f), std::clamp(f.y, 0.0f, 1.0f), std::clamp(f.z, 0.0f, 1.0f)};
+}
+
+// The edge for which Schlick's reflectance at a cosine of 1/7 is `tint` times what it was.
+[[nodiscard]] inline Color3f f82_edge(const Color3f& f0, const Color3f& tint)
+{
+    constexpr float m = 6.0f / 7.0f;
+    constexpr float m5 = m * m * m * m * m;
+    return blend_to_white(f0, m5) * (7.0f / (m5 * m)) * (Color3f(1.0f) - tint);
+}
+
+// Cosine-weighted mean of f82_fresnel over the hemisphere, but for its clamp.
+[[nodiscard]] inline Color3f mean_f82_fresnel(const Color3f& f0, const Color3f& edge)
+{
+    return blend_to_white(f0, mean_schlick_blend) - edge * (1.0f / 126.0f);
+}
+
+// A metal of complex index n + i k, for an index well above 1 (Pharr & Humphreys 2004, "Physically
+// Based Rendering", eq. 9.5).
+[[nodiscard]] inline Color3f fresnel_conductor(float cos_incident,
+                                               const Color3f& n,
+                                               const Color3f& k)
+{
+    const float cos2 = cos_incident * cos_incident;
+    const Color3f one(1.0f);
+    const Color3f nk2 = n * n + k * k;
+    const Color3f n_cos = n * (2.0f * cos_incident);
+    const Color3f parallel = (nk2 * cos2 - n_cos + one) / (nk2 * cos2 + n_cos + one);
+    const Color3f across = (nk2 - n_cos + Color3f(cos2)) / (nk2 + n_cos + Color3f(cos2));
+    return (parallel + across) * 0.5f;
+}
+
 }  // namespace eye_render

@@ -1,25 +1,39 @@
-// Weights and albedos of the GGX lobes.
+// Weights and albedos of the lobes.
 
 #include "shading/ggx_surface.h"
 
 #include "shading/energy_tables.h"
+#include "shading/frame.h"
 #include "shading/fresnel.h"
+#include "shading/input_range.h"
+#include "shading/microfacet_lobe.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace eye_render {
 
 namespace {
 
-[[nodiscard]] float alpha_of(const GgxSurface& surface)
+[[nodiscard]] Lobe surface_lobe(LobeKind kind, const Color3f& weight, const GgxSurface& surface)
 {
-    return surface.roughness * surface.roughness;
+    const float alpha = surface.roughness * surface.roughness;
+    Lobe lobe = plain_lobe(kind, weight, surface.normal, alpha);
+    lobe.facets = surface.facets;
+    if (surface.stretch_x != surface.stretch_y) {
+        lobe.alpha_x = std::min(alpha * surface.stretch_x, 1.0f);
+        lobe.alpha_y = std::min(alpha * surface.stretch_y, 1.0f);
+        lobe.tangent = surface.tangent;
+    }
+    return lobe;
 }
 
-// Colours above white are not physical, and the series of bounces would not converge.
-[[nodiscard]] Color3f at_most_white(const Color3f& color)
+// Of the isotropic surface that stands for a brushed one in the tables.
+[[nodiscard]] float table_roughness(const Lobe& lobe, const GgxSurface& surface)
 {
-    return {std::min(color.x, 1.0f), std::min(color.y, 1.0f), std::min(color.z, 1.0f)};
+    return lobe.alpha_x == lobe.alpha_y ? surface.roughness
+                                        : std::sqrt(std::sqrt(lobe.alpha_x * lobe.alpha_y));
 }
 
 struct Compensation {
@@ -33,71 +47,185 @@ struct Compensation {
     return {factor, factor * energy.albedo};
 }
 
+[[nodiscard]] bool is_compensated(const Lobe& lobe, const GgxSurface& surface)
+{
+    // A mirror loses nothing.
+    return surface.multiple_scattering && surface.facets == FacetModel::Ggx && !lobe.is_delta();
+}
+
 // For a reflecting lobe.
 [[nodiscard]] Compensation compensate(const Lobe& lobe,
                                       const GgxSurface& surface,
                                       const Color3f& mean_fresnel)
 {
-    // A mirror loses nothing.
-    return surface.multiple_scattering && !lobe.is_delta()
-               ? compensate(reflection_energy(surface.roughness, surface.cos_o), mean_fresnel)
+    return is_compensated(lobe, surface)
+               ? compensate(reflection_energy(table_roughness(lobe, surface), surface.cos_o),
+                            mean_fresnel)
                : Compensation{};
+}
+
+// Of a metal or a mirror, whose Fresnel has this albedo.
+void add_reflection(Bsdf& bsdf,
+                    Lobe lobe,
+                    const GgxSurface& surface,
+                    const Color3f& mean_fresnel,
+                    const Color3f& albedo)
+{
+    const Compensation c = compensate(lobe, surface, mean_fresnel);
+    lobe.weight *= c.factor;
+    bsdf.add(lobe, albedo * c.albedo);
+}
+
+// What differs between a boundary that is tinted or has a film and one that is plain.
+void set_boundary(Lobe& lobe, const Boundary& boundary, LobeKind tinted)
+{
+    lobe.ior = boundary.ior;
+    if (boundary.film_thickness_nm > 0.0f || boundary.specular_tint != Color3f(1.0f)) {
+        lobe.kind = tinted;
+        lobe.f0 = unit_range(boundary.specular_tint * f0_from_ior(boundary.ior));
+        lobe.film_thickness_nm = boundary.film_thickness_nm;
+        lobe.film_ior = boundary.film_ior;
+    }
+}
+
+// The albedo of the polish without its weight and compensation.
+[[nodiscard]] Color3f dielectric_albedo(const Lobe& lobe, const GgxSurface& surface)
+{
+    if (lobe.film_thickness_nm > 0.0f) {
+        Lobe unit = lobe;
+        unit.weight = Color3f(1.0f);
+        return facet_albedo(unit, surface.cos_o);
+    }
+    const Color3f f0 =
+        lobe.kind == LobeKind::Dielectric ? Color3f(f0_from_ior(lobe.ior)) : lobe.f0;
+    return blend_to_white(
+        f0, dielectric_albedo_blend(table_roughness(lobe, surface), surface.cos_o, lobe.ior));
 }
 
 }  // namespace
 
-void add_glossy(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color, float weight)
+void brush(GgxSurface& surface,
+           float stretch_x,
+           float stretch_y,
+           const V3f& tangent,
+           float rotation_turns,
+           const V3f& axis)
 {
-    Lobe lobe = glossy_lobe(color * weight, surface.normal, alpha_of(surface));
-    const Compensation c = compensate(lobe, surface, at_most_white(color));
-    lobe.weight *= c.factor;
-    bsdf.add(lobe, color * c.albedo * weight);
+    surface.stretch_x = stretch_x;
+    surface.stretch_y = stretch_y;
+    const float angle = 2.0f * std::numbers::pi_v<float> * rotation_turns;
+    const float cosine = std::cos(angle);
+    const V3f turned = tangent * cosine + axis.cross(tangent) * std::sin(angle) +
+                       axis * (axis.dot(tangent) * (1.0f - cosine));
+    const V3f across = surface.normal.cross(turned);
+    const float length = across.length();
+    surface.tangent =
+        length > 0.0f ? across.cross(surface.normal) / length : Frame(surface.normal).s;
 }
 
-void add_metal(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3f& f0)
+void add_glossy(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3f& color)
 {
-    Lobe lobe = metal_lobe(Color3f(weight), surface.normal, alpha_of(surface), f0);
-    const Compensation c = compensate(lobe, surface, blend_to_white(f0, mean_schlick_blend));
-    lobe.weight *= c.factor;
-    const float blend = schlick_albedo_blend(surface.roughness, surface.cos_o);
-    bsdf.add(lobe, c.albedo * blend_to_white(f0, blend) * weight);
+    add_reflection(bsdf, surface_lobe(LobeKind::Glossy, color * weight, surface), surface,
+                   unit_range(color), color * weight);
 }
 
-float add_dielectric(Bsdf& bsdf, const GgxSurface& surface, float weight, float ior)
+void add_phong(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color)
 {
-    Lobe lobe = dielectric_lobe(Color3f(weight), surface.normal, alpha_of(surface), ior);
-    const float f0 = f0_from_ior(ior);
-    const Color3f mean_fresnel(std::max(f0, mean_fresnel_dielectric(ior)));
+    Lobe lobe = surface_lobe(LobeKind::AshikhminShirley, color, surface);
+    bsdf.add(lobe, color);
+}
+
+void add_metal(Bsdf& bsdf,
+               const GgxSurface& surface,
+               const Color3f& weight,
+               const Color3f& f0,
+               const Color3f& edge_tint)
+{
+    Lobe lobe = surface_lobe(LobeKind::Metal, weight, surface);
+    lobe.f0 = f0;
+    if (edge_tint != Color3f(1.0f)) {
+        lobe.edge = f82_edge(f0, edge_tint);
+    }
+    const float blend = schlick_albedo_blend(table_roughness(lobe, surface), surface.cos_o);
+    add_reflection(bsdf, lobe, surface, mean_f82_fresnel(f0, lobe.edge),
+                   weight * blend_to_white(f0, blend));
+}
+
+void add_conductor(Bsdf& bsdf,
+                   const GgxSurface& surface,
+                   float weight,
+                   const Color3f& index,
+                   const Color3f& extinction)
+{
+    Lobe lobe = surface_lobe(LobeKind::Conductor, Color3f(weight), surface);
+    lobe.f0 = index;
+    lobe.edge = extinction;
+    // The mean Fresnel of the fit that meets it at normal incidence and near 82 degrees.
+    const Color3f f0 = fresnel_conductor(1.0f, index, extinction);
+    const Color3f f82 = fresnel_conductor(1.0f / 7.0f, index, extinction);
+    const Color3f edge = f82_edge(f0, f82 / blend_to_white(f0, schlick_blend(1.0f / 7.0f)));
+    add_reflection(bsdf, lobe, surface, unit_range(mean_f82_fresnel(f0, edge)),
+                   facet_albedo(lobe, surface.cos_o));
+}
+
+float add_dielectric(Bsdf& bsdf,
+                     const GgxSurface& surface,
+                     const Color3f& weight,
+                     const Boundary& boundary)
+{
+    Lobe lobe = surface_lobe(LobeKind::Dielectric, weight, surface);
+    set_boundary(lobe, boundary, LobeKind::TintedDielectric);
+    const float f0 = f0_from_ior(boundary.ior);
+    const float mean_blend = dielectric_blend(mean_fresnel_dielectric(boundary.ior), f0);
+    const Color3f mean_fresnel =
+        blend_to_white(lobe.kind == LobeKind::Dielectric ? Color3f(f0) : lobe.f0, mean_blend);
     const Compensation c = compensate(lobe, surface, mean_fresnel);
+    const Color3f albedo = dielectric_albedo(lobe, surface) * c.albedo;
     lobe.weight *= c.factor;
-    const float blend = dielectric_albedo_blend(surface.roughness, surface.cos_o, ior);
-    const float albedo = c.albedo.x * (f0 + (1.0f - f0) * blend);
-    bsdf.add(lobe, Color3f(albedo * weight));
+    bsdf.add(lobe, albedo * weight);
+    return max_component(albedo);
+}
+
+float add_coat(Bsdf& bsdf, const GgxSurface& surface, const Color3f& weight, float ior)
+{
+    Lobe lobe = surface_lobe(LobeKind::Dielectric, weight, surface);
+    lobe.ior = ior;
+    const float albedo =
+        fresnel_dielectric(std::clamp(surface.cos_o, 0.0f, 1.0f), ior).reflectance;
+    bsdf.add(lobe, weight * albedo);
     return albedo;
 }
 
 void add_glass(Bsdf& bsdf,
                const GgxSurface& surface,
-               float weight,
+               const Color3f& weight,
                const Color3f& reflection,
                const Color3f& transmission,
-               float ior)
+               const Boundary& boundary)
 {
-    Lobe lobe = glass_lobe(reflection * weight, transmission * weight, surface.normal,
-                           alpha_of(surface), ior);
-    Compensation c;
-    if (surface.multiple_scattering && !lobe.is_delta()) {
-        // Most light passes, so its colour stands for that of the bounces in between.
-        c = compensate(glass_energy(surface.roughness, surface.cos_o, ior),
-                       at_most_white(transmission));
-    }
-    lobe.weight *= c.factor;
-    lobe.transmission *= c.factor;
+    Lobe lobe = surface_lobe(LobeKind::Glass, weight * reflection, surface);
+    lobe.second_weight = weight * transmission;
+    set_boundary(lobe, boundary, LobeKind::TintedGlass);
     // As of smooth glass.
-    const float reflected =
-        fresnel_dielectric(std::clamp(surface.cos_o, 0.0f, 1.0f), ior).reflectance;
-    bsdf.add(lobe,
-             (reflection * reflected + transmission * (1.0f - reflected)) * c.albedo * weight);
+    Color3f albedo = facet_albedo(lobe, surface.cos_o);
+    if (is_compensated(lobe, surface)) {
+        // Most light passes, so its colour stands for that of the bounces in between.
+        const Compensation c =
+            compensate(glass_energy(surface.roughness, surface.cos_o, boundary.ior),
+                       unit_range(transmission));
+        lobe.weight *= c.factor;
+        lobe.second_weight *= c.factor;
+        albedo *= c.albedo;
+    }
+    bsdf.add(lobe, albedo);
+}
+
+void add_refraction(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color, float ior)
+{
+    Lobe lobe = surface_lobe(LobeKind::Refraction, Color3f(0.0f), surface);
+    lobe.second_weight = color;
+    lobe.ior = ior;
+    bsdf.add(lobe, color);
 }
 
 }  // namespace eye_render

@@ -34,6 +34,7 @@ namespace eye_render {
 }
 
 // Blender's limits of an index of refraction.
-[[nodiscard]] inline float ior_range(float ior) { return in_range(ior, 1e-5f, 1000.0f); }
+inline constexpr float largest_ior = 1000.0f;
+[[nodiscard]] inline float ior_range(float ior) { return in_range(ior, 1e-5f, largest_ior); }
 
 }  // namespace eye_render

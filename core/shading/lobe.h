@@ -16,27 +16,73 @@ struct BsdfValue {
 };
 
 enum class LobeKind : std::uint8_t {
-    Straight,    // passes light as if there were no surface
-    Diffuse,     // Lambert
-    Glossy,      // GGX reflection without Fresnel
-    Metal,       // GGX reflection, Schlick's Fresnel from `f0` to white
-    Dielectric,  // GGX reflection, dielectric Fresnel
-    Glass,       // GGX reflection and transmission, dielectric Fresnel
+    Straight,  // passes light as if there were no surface
+    // Wide lobes (diffuse_lobe.h).
+    Diffuse,      // Lambert
+    OrenNayar,    // rough Lambert
+    Translucent,  // Lambert on the far side
+    Sheen,        // linearly transformed cosine
+    DiffuseToon,  // cone around the normal
+    // Glossy ones.
+    GlossyToon,        // cone around the mirror direction
+    Velvet,            // Ashikhmin's
+    AshikhminShirley,  // Phong-like
+    // Microfacets (microfacet_lobe.h).
+    Glossy,            // reflection without Fresnel
+    Metal,             // reflection, Schlick's Fresnel from `f0` to white, less `edge`
+    Conductor,         // reflection, Fresnel of index `f0` and extinction `edge`
+    Dielectric,        // reflection, dielectric Fresnel
+    TintedDielectric,  // the same from `f0` to white, or under a thin film
+    Glass,             // reflection and transmission, dielectric Fresnel
+    TintedGlass,       // the same from `f0` to white, or under a thin film
+    Refraction,        // transmission without Fresnel
 };
+
+enum class FacetModel : std::uint8_t { Ggx, Beckmann };
 
 // Made by the functions below only. Without initialisers because a mixture holds room for several
 // per hit, and clearing it would cost a tenth of shading.
 struct Lobe {
     LobeKind kind;
+    FacetModel facets;  // microfacets
     Color3f weight;
     V3f normal;
-    V3f smooth_normal;     // Diffuse: the normal before the normal map
-    float alpha;           // GGX kinds; below smallest_rough_alpha a delta
-    float ior;             // Dielectric, Glass: of the far side over the near side
-    Color3f f0;            // Metal
-    Color3f transmission;  // Glass: weight of what passes; `weight` is of what is reflected
+    V3f smooth_normal;  // Diffuse to DiffuseToon: the normal before any map
+    V3f tangent;        // where alpha_x is not alpha_y: unit, across the normal
+    float alpha_x;      // microfacets: along the tangent; below smallest_rough_alpha a delta
+    float alpha_y;      // and across it
+    float ior;          // dielectrics: of the far side over the near side
+    // Metal, tinted dielectrics: colour at normal incidence. Conductor: index.
+    Color3f f0;
+    Color3f edge;  // Metal: factor of cos (1 - cos)^6. Conductor: extinction
+    // Glasses, Refraction: weight of what passes; `weight` is of what is reflected.
+    // OrenNayar: weight of what is scattered more than once.
+    Color3f second_weight;
+    float film_thickness_nm;  // tinted dielectrics; 0 for none
+    float film_ior;           // over the near side's
+    // OrenNayar: constant and slope of the model. Sheen: the transform's. Toons: half angle of the
+    // cone and the width of its soft edge, rad. Velvet: a is 1 / sigma^2.
+    float a;
+    float b;
 
     [[nodiscard]] bool is_delta() const;
+    // What is not is glossy or straight.
+    [[nodiscard]] bool is_diffuse() const
+    {
+        return kind >= LobeKind::Diffuse && kind <= LobeKind::DiffuseToon;
+    }
+    // Light may come from the far side.
+    [[nodiscard]] bool transmits() const
+    {
+        return kind == LobeKind::Straight || kind == LobeKind::Translucent ||
+               kind >= LobeKind::Glass;
+    }
+    // Light may come from the near side.
+    [[nodiscard]] bool reflects() const
+    {
+        return kind != LobeKind::Straight && kind != LobeKind::Translucent &&
+               kind != LobeKind::Refraction;
+    }
 };
 
 [[nodiscard]] Lobe straight_lobe(const Color3f& weight);
@@ -57,6 +103,16 @@ struct Lobe {
                               const V3f& normal,
                               float alpha,
                               float ior);
+[[nodiscard]] Lobe refraction_lobe(const Color3f& transmission,
+                                   const V3f& normal,
+                                   float alpha,
+                                   float ior);
+// Without any of the fields above that its kind does not share with all; `alpha` as of a glossy
+// lobe.
+[[nodiscard]] Lobe plain_lobe(LobeKind kind,
+                              const Color3f& weight,
+                              const V3f& normal,
+                              float alpha = 1.0f);
 
 // `transmitted` says that wi is on the far side of the geometry; where the lobe's normal
 // disagrees the value is zero. Not for delta lobes.

@@ -7,9 +7,6 @@
 namespace eye_render {
 
 class Bsdf;
-class HitAttributes;
-struct Material;
-struct ShadedPoint;
 struct ShadingPoint;
 
 // One field a socket, with Blender's defaults; values out of range are brought into it. A normal
@@ -58,9 +55,5 @@ void add_principled(Bsdf& bsdf,
 // Radiance towards point.wo.
 [[nodiscard]] Color3f principled_emission(const PrincipledInputs& inputs,
                                           const ShadingPoint& point);
-
-[[nodiscard]] ShadedPoint shade_principled(const Material& material,
-                                           const ShadingPoint& point,
-                                           const HitAttributes& attributes);
 
 }  // namespace eye_render

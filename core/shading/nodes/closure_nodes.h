@@ -27,6 +27,16 @@ inline constexpr OutputSocket bsdf_output[] = {{"BSDF", SocketType::Shader}};
     return {identifier, SocketType::Vector, NodeValue(0.0f), ImplicitInput::Normal};
 }
 
+// Zero where nothing is linked.
+[[nodiscard]] constexpr InputSocket tangent_input()
+{
+    return {"Tangent", SocketType::Vector, NodeValue(0.0f)};
+}
+
+// The tangent that is linked or, where none is, that of circles around the object's own z, as
+// Blender's Tangent node gives it.
+[[nodiscard]] V3f tangent_input_value(const NodeInputs& in, std::size_t input);
+
 // For NodeType::make_closure: the node is made from its options.
 template <typename Node>
 [[nodiscard]] std::unique_ptr<const ClosureNode> make_closure(const NodeOptions& options,
@@ -59,8 +69,14 @@ template <typename Node>
 
 [[nodiscard]] NodeType principled_node();
 [[nodiscard]] NodeType diffuse_node();
+[[nodiscard]] NodeType translucent_node();
+[[nodiscard]] NodeType toon_node();
+[[nodiscard]] NodeType sheen_node();
+[[nodiscard]] NodeType subsurface_node();
 [[nodiscard]] NodeType glossy_node();
 [[nodiscard]] NodeType glass_node();
+[[nodiscard]] NodeType refraction_node();
+[[nodiscard]] NodeType metallic_node();
 [[nodiscard]] NodeType emission_node();
 [[nodiscard]] NodeType background_node();
 [[nodiscard]] NodeType transparent_node();

@@ -5,11 +5,31 @@
 
 namespace eye_render {
 
+V3f tangent_input_value(const NodeInputs& in, std::size_t input)
+{
+    const V3f linked = in.vector(input);
+    if (linked.length2() > 0.0f) {
+        return linked;
+    }
+    const HitAttributes& attributes = in.hit().attributes;
+    const V3f generated = attributes.generated();
+    const V3f around(0.5f - generated.y, generated.x - 0.5f, 0.0f);
+    // As a normal is brought to the world.
+    const M44f& m = attributes.object().object_from_world;
+    const V3f around_world(around.x * m[0][0] + around.y * m[0][1],
+                           around.x * m[1][0] + around.y * m[1][1],
+                           around.x * m[2][0] + around.y * m[2][1]);
+    const V3f& n = in.hit().point.ns;
+    return n.cross(around_world.cross(n));
+}
+
 std::span<const NodeType> closure_nodes()
 {
     static const NodeType nodes[] = {
-        principled_node(), diffuse_node(),    glossy_node(),      glass_node(),
-        emission_node(),   background_node(), transparent_node(), holdout_node(),
+        principled_node(),  diffuse_node(),    translucent_node(), toon_node(),
+        sheen_node(),       subsurface_node(), glossy_node(),      glass_node(),
+        refraction_node(),  metallic_node(),   emission_node(),    background_node(),
+        transparent_node(), holdout_node(),
     };
     return nodes;
 }

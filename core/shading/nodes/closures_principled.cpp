@@ -35,7 +35,7 @@ constexpr InputSocket inputs[] = {
     color_input("Specular Tint", 1.0f),
     number_input("Anisotropic", 0.0f),
     number_input("Anisotropic Rotation", 0.0f),
-    {"Tangent", SocketType::Vector},
+    tangent_input(),
     number_input("Transmission Weight", 0.0f),
     number_input("Coat Weight", 0.0f),
     number_input("Coat Roughness", 0.03f),
@@ -70,7 +70,8 @@ public:
         return {.may_be_transparent = !is_opaque,
                 .may_emit = may_have(EmissionColor) * may_have(EmissionStrength) == 1,
                 .lobes = specular_and_diffuse + (is_opaque ? 0 : 1) + may_have(Metallic) +
-                         may_have(TransmissionWeight)};
+                         may_have(TransmissionWeight) + may_have(CoatWeight) +
+                         may_have(SheenWeight)};
     }
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
@@ -96,6 +97,8 @@ public:
             return Color3f(0.0f);
         }
         values.alpha = in.number(Alpha);
+        values.normal = in.vector(Normal);
+        read_top_layers(in, values);
         return principled_emission(values, in.hit().point);
     }
 
@@ -108,6 +111,22 @@ private:
         }
     }
 
+    static void read_top_layers(const NodeInputs& in, PrincipledInputs& values)
+    {
+        values.coat_weight = in.number(CoatWeight);
+        if (values.coat_weight > 0.0f) {
+            values.coat_roughness = in.number(CoatRoughness);
+            values.coat_ior = in.number(CoatIor);
+            values.coat_tint = in.color(CoatTint);
+            values.coat_normal = in.vector(CoatNormal);
+        }
+        values.sheen_weight = in.number(SheenWeight);
+        if (values.sheen_weight > 0.0f) {
+            values.sheen_roughness = in.number(SheenRoughness);
+            values.sheen_tint = in.color(SheenTint);
+        }
+    }
+
     [[nodiscard]] PrincipledInputs read(const NodeInputs& in) const
     {
         PrincipledInputs values{
@@ -117,10 +136,22 @@ private:
             .ior = in.number(Ior),
             .alpha = in.number(Alpha),
             .normal = in.vector(Normal),
+            .diffuse_roughness = in.number(DiffuseRoughness),
             .specular_ior_level = in.number(SpecularIorLevel),
+            .specular_tint = in.color(SpecularTint),
+            .anisotropic = in.number(Anisotropic),
             .transmission_weight = in.number(TransmissionWeight),
+            .thin_film_thickness_nm = in.number(ThinFilmThickness),
             .multiple_scattering = multiple_scattering_,
         };
+        if (values.anisotropic > 0.0f) {
+            values.anisotropic_rotation = in.number(AnisotropicRotation);
+            values.tangent = tangent_input_value(in, Tangent);
+        }
+        if (values.thin_film_thickness_nm > 0.0f) {
+            values.thin_film_ior = in.number(ThinFilmIor);
+        }
+        read_top_layers(in, values);
         read_emission(in, values);
         return values;
     }

@@ -1,0 +1,31 @@
+// Lobes of microfacets: LobeKind::Glossy to Refraction.
+//
+// Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces", eq. 20 and 21,
+// sampled by visible normals. Transmission is not scaled by the square of the index: radiance is
+// traced as if it were basic radiance, as Cycles does, so that a window looks as bright as the
+// hole it fills.
+
+#pragma once
+
+#include "shading/lobe.h"
+
+namespace eye_render {
+
+// As of Lobe::is_delta, for these kinds.
+[[nodiscard]] bool is_delta_microfacet(const Lobe& lobe);
+
+[[nodiscard]] BsdfValue evaluate_microfacet(const Lobe& lobe,
+                                            const V3f& wo,
+                                            const V3f& wi,
+                                            bool transmitted);
+
+[[nodiscard]] std::optional<LobeSample> sample_microfacet(const Lobe& lobe,
+                                                          const V3f& wo,
+                                                          float u_choice,
+                                                          const V2f& u);
+
+// What facets do to light that leaves them under `cos_facet`, reflected and transmitted together
+// and weighed: the albedo of a smooth surface.
+[[nodiscard]] Color3f facet_albedo(const Lobe& lobe, float cos_facet);
+
+}  // namespace eye_render
