@@ -60,17 +60,21 @@ def test_the_batch_command_renders(tmp_path):
         pytest.skip("the add-on is not where Blender looks; `run test` sees to that")
     save = """
 import os, bpy
+bpy.context.scene.render.engine = "EYE_RENDER"
 bpy.context.scene.render.resolution_x = bpy.context.scene.render.resolution_y = 32
 bpy.ops.wm.save_as_mainfile(filepath=os.path.abspath("scene.blend"))
 """
     subprocess.run(
-        [BLENDER, "-b", "--factory-startup", "--python-expr", save], cwd=tmp_path, check=True
+        [BLENDER, "-b", "--factory-startup", "--addons", "eye_render", "--python-expr", save],
+        cwd=tmp_path,
+        check=True,
     )
     (batch,) = (command for command in shell_commands() if "--background" in command)
     batch = batch.replace("blender --background", f"'{BLENDER}' --background", 1)
     result = subprocess.run(["sh", "-c", batch], cwd=tmp_path, capture_output=True, text=True)
     assert result.returncode == 0, result.stdout + result.stderr
     assert (tmp_path / "out_0001.exr").exists(), result.stdout
+    assert "not available" not in result.stdout + result.stderr, "the add-on is there too late"
 
 
 def test_the_python_example_runs(tmp_path):

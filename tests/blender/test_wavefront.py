@@ -68,12 +68,14 @@ def test_what_is_wrong_with_a_file_is_said_with_its_name(write, text, sentence):
     assert sentence in str(caught.value)
 
 
-def test_the_readmes_file_is_read(write):
+def test_the_readmes_files_are_read(write):
     readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
-    (example,) = re.findall(r"^```\n(pupil_mm.*?)^```", readme, re.MULTILINE | re.DOTALL)
-    measured = wavefront.read(write(example))
+    (csv,) = re.findall(r"^```\n(pupil_mm.*?)^```", readme, re.MULTILINE | re.DOTALL)
+    measured = wavefront.read(write(csv))
     assert (measured.pupil_mm, measured.side) == (6.0, "OD")
     assert measured.coefficients_um[12] == 0.2
+    (json,) = re.findall(r"^```json\n(.*?)^```", readme, re.MULTILINE | re.DOTALL)
+    assert wavefront.read(write(json)) == measured
 
 
 def test_a_file_that_is_no_text_is_refused(tmp_path):
