@@ -14,17 +14,23 @@
 
 namespace eye_render {
 
-// A ray in object space.
-struct TracedRay {
-    V2d pupil_point_m{0.0};  // that the eye was asked for
+// A line in object space, or the difference of two.
+struct ObjectLine {
     V2d slope{0.0};
-    V2d crossing_m{0.0};  // of the ray, or its extension, with the pupil's plane
-    double weight = 1.0;
+    V2d crossing_m{0.0};  // with the pupil's plane
 
     [[nodiscard]] V2d slope_at(double object_vergence_d) const
     {
         return slope + crossing_m * object_vergence_d;
     }
+};
+
+struct TracedRay {
+    V2d pupil_point_m{0.0};  // that the eye was asked for
+    ObjectLine line;
+    ObjectLine change_x;  // per unit of chief slope along X,
+    ObjectLine change_y;  // and along Y: what glasses magnify, and a wide pupil's coma
+    double weight = 1.0;
 };
 
 struct RayCounts {
@@ -41,9 +47,7 @@ struct RayCounts {
 
 struct PupilTrace {
     V2d chief_slope{0.0};         // in the picture
-    TracedRay chief;              // the ray through the centre of the pupil
-    TracedRay change_x;           // of the chief ray per unit of chief slope along X,
-    TracedRay change_y;           // and along Y: what glasses magnify
+    ObjectLine chief;             // the ray through the centre of the pupil
     std::vector<TracedRay> rays;  // the transmitted ones
     RayCounts counts;
 };

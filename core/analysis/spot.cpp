@@ -6,16 +6,13 @@ namespace eye_render {
 
 namespace {
 
-// From differences of object-space slopes to angles in the picture.
+// From differences of slopes in the picture to angles.
 class Picture {
 public:
-    Picture(const PupilTrace& trace, double object_vergence_d)
-        : change_x_(trace.change_x.slope_at(object_vergence_d)),
-          change_y_(trace.change_y.slope_at(object_vergence_d)),
-          determinant_(change_x_.cross(change_y_))
+    explicit Picture(const V2d& chief_slope)
     {
-        const double cosine = 1.0 / std::sqrt(1.0 + trace.chief_slope.dot(trace.chief_slope));
-        const V2d chief = trace.chief_slope * cosine;
+        const double cosine = 1.0 / std::sqrt(1.0 + chief_slope.length2());
+        const V2d chief = chief_slope * cosine;
         const double bend = 1.0 / (1.0 + cosine);
         axis_x_ = V2d(1.0 - chief.x * chief.x * bend, -chief.x * chief.y * bend) * cosine;
         axis_y_ = V2d(-chief.x * chief.y * bend, 1.0 - chief.y * chief.y * bend) * cosine;
@@ -23,33 +20,36 @@ public:
 
     [[nodiscard]] V2d angle_rad(const V2d& slope_difference) const
     {
-        const V2d chief_change =
-            V2d(slope_difference.cross(change_y_), change_x_.cross(slope_difference)) /
-            determinant_;
-        return {axis_x_.dot(chief_change), axis_y_.dot(chief_change)};
+        return {axis_x_.dot(slope_difference), axis_y_.dot(slope_difference)};
     }
 
 private:
-    V2d change_x_;
-    V2d change_y_;
-    double determinant_;
     V2d axis_x_;
     V2d axis_y_;
 };
+
+// By how much the chief slope changes for the ray to move by `miss` at the object.
+V2d chief_change(const TracedRay& ray, double object_vergence_d, const V2d& miss)
+{
+    const V2d x = ray.change_x.slope_at(object_vergence_d);
+    const V2d y = ray.change_y.slope_at(object_vergence_d);
+    return V2d(miss.cross(y), x.cross(miss)) / x.cross(y);
+}
 
 }  // namespace
 
 Spot make_spot(const PupilTrace& trace, double object_vergence_d)
 {
-    const Picture picture(trace, object_vergence_d);
+    const Picture picture(trace.chief_slope);
     const V2d object_slope = trace.chief.slope_at(object_vergence_d);
     Spot spot;
     spot.points.reserve(trace.rays.size());
     for (const TracedRay& ray : trace.rays) {
-        const V2d miss = object_slope - ray.slope_at(object_vergence_d);
-        spot.points.push_back({.pupil_point_m = ray.pupil_point_m,
-                               .angle_rad = picture.angle_rad(miss),
-                               .weight = ray.weight});
+        const V2d miss = object_slope - ray.line.slope_at(object_vergence_d);
+        spot.points.push_back(
+            {.pupil_point_m = ray.pupil_point_m,
+             .angle_rad = picture.angle_rad(chief_change(ray, object_vergence_d, miss)),
+             .weight = ray.weight});
         spot.weight += ray.weight;
     }
     spot.transmitted = spot.weight / trace.counts.all();

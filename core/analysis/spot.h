@@ -3,8 +3,8 @@
 // A pixel gathers light from the slope s at which its rays leave the eye, so a point in the
 // direction of the chief ray is scattered the other way: by +E p for the error matrix E = K - X I
 // and the pupil point p. Angles are the picture's, relative to the chief ray, to first order in
-// the blur. The axes are the camera's, turned by the smallest turn that brings -Z onto the chief
-// ray.
+// the blur: each ray's miss is divided by how much its own slope follows the pixel's. The axes are
+// the camera's, turned by the smallest turn that brings -Z onto the chief ray.
 
 #pragma once
 

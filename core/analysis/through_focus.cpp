@@ -25,8 +25,8 @@ Moments moments_of(const PupilTrace& trace)
     V2d mean_o(0.0);
     for (const TracedRay& ray : trace.rays) {
         weight += ray.weight;
-        mean_s += ray.slope * ray.weight;
-        mean_o += ray.crossing_m * ray.weight;
+        mean_s += ray.line.slope * ray.weight;
+        mean_o += ray.line.crossing_m * ray.weight;
     }
     Moments m;
     if (weight <= 0.0) {
@@ -36,8 +36,8 @@ Moments moments_of(const PupilTrace& trace)
     mean_o /= weight;
     for (const TracedRay& ray : trace.rays) {
         const double share = ray.weight / weight;
-        const V2d s = ray.slope - mean_s;
-        const V2d o = ray.crossing_m - mean_o;
+        const V2d s = ray.line.slope - mean_s;
+        const V2d o = ray.line.crossing_m - mean_o;
         m.so_xx += share * s.x * o.x;
         m.so_xy += share * s.x * o.y;
         m.so_yx += share * s.y * o.x;

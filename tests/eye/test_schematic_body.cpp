@@ -198,6 +198,15 @@ TEST(SchematicBody, the_emmetropic_navarro_eye_has_its_least_spot_0_43_dioptres_
                 mean_conjugate_d(system, RefractionZero::Paraxial, 0.1e-3), 1e-3);
 }
 
+// The eye with the published length of its vitreous body is what tests/python ask for by this
+// prescription.
+TEST(SchematicBody, navarros_published_vitreous_is_that_of_a_slight_hyperope)
+{
+    LensSystem system = schematic_eye(SchematicEyeKind::Navarro, 0.0);
+    system.retina.vertex_m = system.surfaces.back().shape.vertex_m + 16.32e-3;
+    EXPECT_NEAR(mean_conjugate_d(system, RefractionZero::Paraxial, 0.0), -0.0729, 5e-5);
+}
+
 TEST(SchematicBody, refuses_eyes_that_cannot_be)
 {
     const auto refusal = [](const SchematicSpec& spec) -> std::string {

@@ -16,7 +16,7 @@ def pupil_points_m(pupil_mm: float, count: int = 801) -> np.ndarray:
 
 
 def efficiency(points_m: np.ndarray) -> np.ndarray:
-    """Applegate & Lakshminarayanan 1993: of a right eye, whose nose the patient sees on the left."""
+    """Applegate & Lakshminarayanan 1993: a right eye, whose nose is on the left."""
     x_mm, y_mm = (points_m * 1e3 - [-0.51, 0.20]).T
     return 10.0 ** -(0.047 * x_mm**2 + 0.053 * y_mm**2)
 
