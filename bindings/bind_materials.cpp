@@ -1,4 +1,4 @@
-// The part of eyecore.Scene that says what surfaces are made of: textures and materials.
+// The part of eyecore.Scene that says what surfaces and the world are made of.
 
 #include "bind_scene.h"
 
@@ -7,24 +7,6 @@
 namespace eye_render {
 
 namespace {
-
-struct ImageInput {
-    int texture;
-    std::string uv_layer;
-    Channel channel;
-};
-
-struct AttributeInput {
-    std::string name;
-    Channel channel;
-};
-
-Channel channel_named(const std::string& name)
-{
-    return named<Channel>(
-        "channel", name,
-        {{"COLOR", Channel::Color}, {"LUMINANCE", Channel::Luminance}, {"ALPHA", Channel::Alpha}});
-}
 
 TextureOptions texture_options(const std::string& colorspace,
                                const std::string& extension,
@@ -43,59 +25,36 @@ TextureOptions texture_options(const std::string& colorspace,
                 {{"Linear", Interpolation::Linear}, {"Closest", Interpolation::Closest}})};
 }
 
-MaterialInput input_from(SceneBuilder& scene, const std::string& name, const py::handle& value)
-{
-    MaterialInput input;
-    if (py::isinstance<ImageInput>(value)) {
-        const auto& image = value.cast<const ImageInput&>();
-        input.texture = image.texture;
-        input.uv_layer = scene.uv_layer(image.uv_layer);
-        input.channel = image.channel;
-    } else if (py::isinstance<AttributeInput>(value)) {
-        const auto& attribute = value.cast<const AttributeInput&>();
-        input.color_attribute = scene.color_attribute(attribute.name);
-        input.channel = attribute.channel;
-    } else if (const auto number = number_from(value)) {
-        input.constant = Color3f(static_cast<float>(*number));
-    } else {
-        input.constant = color_from(name, value);
-    }
-    return input;
-}
-
 std::size_t add_material(SceneBuilder& scene,
                          const std::string& name,
-                         const std::string& surface,
-                         bool multiple_scattering,
-                         const py::kwargs& inputs)
+                         const std::optional<NodeSocket>& surface,
+                         const std::optional<NodeSocket>& displacement,
+                         int pass_index)
 {
-    Material material;
-    material.name = name;
-    material.multiple_scattering = multiple_scattering;
-    material.surface = named<Surface>("surface", surface,
-                                      {{"PRINCIPLED", Surface::Principled},
-                                       {"DIFFUSE", Surface::Diffuse},
-                                       {"GLOSSY", Surface::Glossy},
-                                       {"GLASS", Surface::Glass},
-                                       {"EMISSION", Surface::Emission},
-                                       {"TRANSPARENT", Surface::Transparent}});
-    for (const auto& [key, value] : inputs) {
-        const auto member = named<MaterialInput Material::*>(
-            "input of material '" + name + "'", key.cast<std::string>(),
-            {{"base_color", &Material::base_color},
-             {"metallic", &Material::metallic},
-             {"roughness", &Material::roughness},
-             {"specular", &Material::specular},
-             {"ior", &Material::ior},
-             {"transmission", &Material::transmission},
-             {"alpha", &Material::alpha},
-             {"emission_color", &Material::emission_color},
-             {"emission_strength", &Material::emission_strength},
-             {"normal_map", &Material::normal_map},
-             {"normal_strength", &Material::normal_strength}});
-        material.*member = input_from(scene, key.cast<std::string>(), value);
+    const NodeGraph nothing;
+    const auto output = [](const std::optional<NodeSocket>& socket) {
+        return socket ? std::optional(socket->output) : std::nullopt;
+    };
+    if (surface && displacement && surface->graph != displacement->graph) {
+        throw std::invalid_argument("surface and displacement of material '" + name +
+                                    "' are of two graphs; expected one");
     }
-    return scene.add_material(std::move(material));
+    const std::optional<NodeSocket>& any = surface ? surface : displacement;
+    return scene.add_material(name, any ? *any->graph : nothing, output(surface),
+                              output(displacement), pass_index);
+}
+
+void set_world(SceneBuilder& scene, const py::object& surface)
+{
+    if (py::isinstance<NodeSocket>(surface)) {
+        const auto& socket = surface.cast<const NodeSocket&>();
+        scene.set_world(*socket.graph, socket.output);
+        return;
+    }
+    NodeGraph graph;
+    const std::size_t background = graph.add("BACKGROUND");
+    graph.set(background, "Color", V3f(color_from("world color", surface)));
+    scene.set_world(graph, graph.output(background, "Background"));
 }
 
 template <typename Pixels, typename Number>
@@ -128,21 +87,9 @@ Color3f color_from(const std::string& name, const py::handle& value)
     }
 }
 
-void bind_materials(py::module_& m, SceneClass& scene)
+void bind_materials(SceneClass& scene)
 {
     using namespace py::literals;
-
-    py::class_<ImageInput>(m, "ImageInput", "A material input read from a texture of the scene.")
-        .def(py::init([](int texture, const std::string& uv_layer, const std::string& channel) {
-                 return ImageInput{texture, uv_layer, channel_named(channel)};
-             }),
-             "texture"_a, "uv_layer"_a = "", "channel"_a = "COLOR");
-    py::class_<AttributeInput>(m, "AttributeInput",
-                               "A material input read from a colour attribute.")
-        .def(py::init([](const std::string& name, const std::string& channel) {
-                 return AttributeInput{name, channel_named(channel)};
-             }),
-             "name"_a, "channel"_a = "COLOR");
 
     scene
         .def(
@@ -171,9 +118,12 @@ void bind_materials(py::module_& m, SceneClass& scene)
             "interpolation"_a = "Linear",
             "Number of a texture from pixels (height, width, 4), uint8 or float32, rows "
             "bottom-up.")
-        .def("add_material", &add_material, "name"_a, "surface"_a = "PRINCIPLED",
-             "multiple_scattering"_a = true,
-             "Number of a material; inputs are numbers, colours, ImageInput or AttributeInput.");
+        .def("add_material", &add_material, "name"_a, "surface"_a = py::none(),
+             "displacement"_a = py::none(), "pass_index"_a = 0,
+             "Number of a material: outputs of one graph. None is black; displacement is shown as "
+             "bump.")
+        .def("set_world", &set_world, "surface"_a,
+             "The light around the scene: an output of a Background node, or one colour.");
 }
 
 }  // namespace eye_render

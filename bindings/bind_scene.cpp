@@ -17,9 +17,10 @@ std::size_t add_mesh(SceneBuilder& scene,
                      const Array<std::uint32_t>& triangles,
                      const std::optional<Array<float>>& normals,
                      const std::map<std::string, Array<float>>& uvs,
-                     const std::map<std::string, Array<float>>& colors,
+                     const std::map<std::string, Array<float>>& attributes,
                      const std::optional<Array<std::int32_t>>& material_slots,
-                     const std::string& active_uv)
+                     const std::string& active_uv,
+                     const std::optional<std::array<std::array<float, 3>, 2>>& texture_space)
 {
     Mesh mesh;
     mesh.name = name;
@@ -36,9 +37,14 @@ std::size_t add_mesh(SceneBuilder& scene,
         const auto at = layer == active_uv ? mesh.uv_layers.begin() : mesh.uv_layers.end();
         mesh.uv_layers.insert(at, {layer, rows<V2f>(values, "UV layer '" + layer + "'")});
     }
-    for (const auto& [attribute, values] : colors) {
-        mesh.color_attributes.push_back(
-            {attribute, rows<Color4f>(values, "colour attribute '" + attribute + "'")});
+    for (const auto& [attribute, values] : attributes) {
+        mesh.attributes.push_back(
+            {attribute, rows<Color4f>(values, "attribute '" + attribute + "'")});
+    }
+    if (texture_space) {
+        const auto& [origin, size] = *texture_space;
+        mesh.texture_space = TextureSpace{.origin = {origin[0], origin[1], origin[2]},
+                                          .size = {size[0], size[1], size[2]}};
     }
     if (material_slots) {
         mesh.material_slots.assign(material_slots->data(),
@@ -50,17 +56,38 @@ std::size_t add_mesh(SceneBuilder& scene,
 void add_instances(SceneBuilder& scene,
                    std::size_t mesh,
                    const Array<double>& world_from_object,
-                   const std::vector<std::size_t>& materials)
+                   const std::vector<std::size_t>& materials,
+                   const std::optional<Array<float>>& colors,
+                   float pass_index,
+                   const std::optional<Array<float>>& randoms)
 {
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
         throw std::invalid_argument("world_from_object has shape " +
                                     shape_text(world_from_object) + "; expected (n, 4, 4)");
     }
-    for (py::ssize_t i = 0; i < world_from_object.shape(0); ++i) {
+    const py::ssize_t count = world_from_object.shape(0);
+    if (colors && (colors->ndim() != 2 || colors->shape(0) != count || colors->shape(1) != 4)) {
+        throw std::invalid_argument("colors has shape " + shape_text(*colors) + "; expected (" +
+                                    std::to_string(count) + ", 4)");
+    }
+    if (randoms && (randoms->ndim() != 1 || randoms->shape(0) != count)) {
+        throw std::invalid_argument("randoms has shape " + shape_text(*randoms) + "; expected (" +
+                                    std::to_string(count) + ",)");
+    }
+    for (py::ssize_t i = 0; i < count; ++i) {
+        ObjectLook look{.pass_index = pass_index};
+        if (colors) {
+            const float* c = colors->data(i, 0);
+            look.color = Color4f(c[0], c[1], c[2], c[3]);
+        }
+        if (randoms) {
+            look.random = *randoms->data(i);
+        }
         scene.add_instance({.mesh = mesh,
                             .world_from_object = matrix_from(world_from_object.data(i, 0, 0)),
-                            .materials = materials});
+                            .materials = materials,
+                            .look = look});
     }
 }
 
@@ -114,31 +141,6 @@ void add_light(SceneBuilder& scene,
     scene.add_lamp(lamp);
 }
 
-void set_world(SceneBuilder& scene,
-               const py::object& color,
-               float strength,
-               std::optional<int> texture,
-               const std::optional<Array<float>>& texture_from_world)
-{
-    EnvironmentSettings world;
-    world.color = color_from("world color", color);
-    world.strength = strength;
-    world.texture = texture.value_or(EnvironmentSettings::none);
-    if (texture_from_world) {
-        const auto matrix_rows = rows<V3f>(*texture_from_world, "texture_from_world");
-        if (matrix_rows.size() != 3) {
-            throw std::invalid_argument("texture_from_world has shape " +
-                                        shape_text(*texture_from_world) + "; expected (3, 3)");
-        }
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j) {
-                world.texture_from_world[j][i] = matrix_rows[static_cast<std::size_t>(i)][j];
-            }
-        }
-    }
-    scene.set_world(world);
-}
-
 void set_camera(SceneBuilder& scene,
                 const Array<double>& world_from_camera,
                 const std::array<double, 4>& slope_bounds,
@@ -176,25 +178,26 @@ void bind_scene(py::module_& m)
     using namespace py::literals;
 
     SceneClass scene(m, "Scene", "What is to be seen.");
-    bind_materials(m, scene);
+    bind_materials(scene);
     scene.def(py::init<>())
         .def("add_mesh", &add_mesh, "name"_a, "positions"_a, "triangles"_a, py::kw_only(),
-             "normals"_a = py::none(), "uvs"_a = py::dict(), "colors"_a = py::dict(),
-             "material_slots"_a = py::none(), "active_uv"_a = "",
+             "normals"_a = py::none(), "uvs"_a = py::dict(), "attributes"_a = py::dict(),
+             "material_slots"_a = py::none(), "active_uv"_a = "", "texture_space"_a = py::none(),
              "Number of a mesh: positions (n, 3), triangles (m, 3), normals (n, 3) or (m, 3, 3),\n"
-             "UV layers (3 m, 2), colours (3 m, 4) linear, material_slots (m,).")
+             "UV layers (3 m, 2), attributes (3 m, 4), colours among them linear, material_slots\n"
+             "(m,), texture_space ((x, y, z) of Generated 0, size).")
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
-             "materials"_a = py::list(),
-             "Places a mesh at each of the matrices (n, 4, 4), one material a slot.")
+             "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(),
+             "pass_index"_a = 0.0f, "randoms"_a = py::none(),
+             "Places a mesh at each of the matrices (n, 4, 4), one material a slot. For the "
+             "Object\n"
+             "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).")
         .def(
             "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
             "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
             "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
             "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"
             "casts_shadow.")
-        .def("set_world", &set_world, "color"_a = py::make_tuple(0.0, 0.0, 0.0),
-             "strength"_a = 1.0f, "texture"_a = py::none(), "texture_from_world"_a = py::none(),
-             "Radiance = strength times colour, or times an equirectangular texture.")
         .def("set_camera", &set_camera, "world_from_camera"_a, "slope_bounds"_a, "resolution"_a,
              "border"_a = py::none(), "clip"_a = std::array<double, 2>{0.001, 1e9},
              "metres_per_unit"_a = 1.0,
@@ -202,7 +205,7 @@ void bind_scene(py::module_& m)
              "y0,\n"
              "x1, y1 in pixels, x1 and y1 excluded, from the lower left.")
         .def("uv_layers_read", &SceneBuilder::uv_layers_read, "materials"_a)
-        .def("color_attributes_read", &SceneBuilder::color_attributes_read, "materials"_a);
+        .def("attributes_read", &SceneBuilder::attributes_read, "materials"_a);
 }
 
 }  // namespace eye_render

@@ -9,7 +9,13 @@ namespace eye_render {
 
 using SceneClass = py::class_<SceneBuilder, std::shared_ptr<SceneBuilder>>;
 
-void bind_materials(py::module_& m, SceneClass& scene);
+// An output of a node, for Python.
+struct NodeSocket {
+    std::shared_ptr<NodeGraph> graph;
+    NodeOutput output;
+};
+
+void bind_materials(SceneClass& scene);
 
 // Three numbers, linear Rec. 709; `name` is what they are for, as errors say it.
 [[nodiscard]] Color3f color_from(const std::string& name, const py::handle& value);

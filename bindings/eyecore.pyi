@@ -192,13 +192,20 @@ def airy_radius_arcmin(pupil_mm: float, wavelength_nm: float = 555.0) -> float: 
 def quarter_wave_d(pupil_mm: float, wavelength_nm: float = 555.0) -> float: ...
 def observer_eye(observer: Observer, pupil_mm: float, accommodation_d: float = 0.0) -> Eye: ...
 
-class ImageInput:
-    def __init__(self, texture: int, uv_layer: str = "", channel: str = "COLOR") -> None: ...
+class NodeSocket: ...
 
-class AttributeInput:
-    def __init__(self, name: str, channel: str = "COLOR") -> None: ...
+class Node:
+    def set(self, input: str, value: float | Sequence[float] | NodeSocket) -> None: ...
+    def __getitem__(self, output: str) -> NodeSocket: ...
 
-_Input = float | Sequence[float] | ImageInput | AttributeInput
+class NodeGraph:
+    def __init__(self) -> None: ...
+    def add(
+        self,
+        kind: str,
+        inputs: Mapping[str, float | Sequence[float] | NodeSocket] = ...,
+        **options: str | float | Sequence[float],
+    ) -> Node: ...
 
 class Scene:
     def __init__(self) -> None: ...
@@ -222,9 +229,9 @@ class Scene:
     def add_material(
         self,
         name: str,
-        surface: str = "PRINCIPLED",
-        multiple_scattering: bool = True,
-        **inputs: _Input,
+        surface: NodeSocket | None = None,
+        displacement: NodeSocket | None = None,
+        pass_index: int = 0,
     ) -> int: ...
     def add_mesh(
         self,
@@ -234,12 +241,20 @@ class Scene:
         *,
         normals: ArrayLike | None = None,
         uvs: Mapping[str, ArrayLike] = ...,
-        colors: Mapping[str, ArrayLike] = ...,
+        attributes: Mapping[str, ArrayLike] = ...,
         material_slots: ArrayLike | None = None,
         active_uv: str = "",
+        texture_space: tuple[Sequence[float], Sequence[float]] | None = None,
     ) -> int: ...
     def add_instances(
-        self, mesh: int, world_from_object: ArrayLike, materials: Sequence[int] = ...
+        self,
+        mesh: int,
+        world_from_object: ArrayLike,
+        materials: Sequence[int] = ...,
+        *,
+        colors: ArrayLike | None = None,
+        pass_index: float = 0.0,
+        randoms: ArrayLike | None = None,
     ) -> None: ...
     def add_light(
         self,
@@ -260,13 +275,7 @@ class Scene:
         spread_rad: float = ...,
         casts_shadow: bool = True,
     ) -> None: ...
-    def set_world(
-        self,
-        color: Sequence[float] = ...,
-        strength: float = 1.0,
-        texture: int | None = None,
-        texture_from_world: ArrayLike | None = None,
-    ) -> None: ...
+    def set_world(self, surface: NodeSocket | Sequence[float]) -> None: ...
     def set_camera(
         self,
         world_from_camera: ArrayLike,
@@ -277,7 +286,7 @@ class Scene:
         metres_per_unit: float = 1.0,
     ) -> None: ...
     def uv_layers_read(self, materials: Sequence[int]) -> list[str]: ...
-    def color_attributes_read(self, materials: Sequence[int]) -> list[str]: ...
+    def attributes_read(self, materials: Sequence[int]) -> list[str]: ...
 
 class Observer:
     def __init__(

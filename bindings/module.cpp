@@ -9,6 +9,7 @@ PYBIND11_MODULE(eyecore, m)
     eye_render::bind_prescription(m);
     eye_render::bind_wavefront(m);
     eye_render::bind_eye(m);
+    eye_render::bind_nodes(m);
     eye_render::bind_scene(m);
     eye_render::bind_render(m);
     eye_render::bind_analysis(m);

@@ -22,7 +22,8 @@ namespace py = pybind11;
 void bind_prescription(py::module_& m);
 void bind_wavefront(py::module_& m);
 void bind_eye(py::module_& m);
-void bind_scene(py::module_& m);
+void bind_nodes(py::module_& m);
+void bind_scene(py::module_& m);  // after bind_nodes
 void bind_render(py::module_& m);
 void bind_analysis(py::module_& m);  // after bind_eye and bind_render, whose classes it extends
 

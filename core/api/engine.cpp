@@ -94,9 +94,8 @@ bool has_light(const SceneData& scene, const RenderPlan& plan)
     const bool has_lamp =
         std::any_of(scene.lamps.begin(), scene.lamps.end(),
                     [](const LampData& lamp) { return lamp.settings.color != Color3f(0.0f); });
-    const bool has_world =
-        scene.world.strength > 0.0f &&
-        (scene.world.texture != EnvironmentSettings::none || scene.world.color != Color3f(0.0f));
+    const auto radiance = scene.world.surface.constant_emission();
+    const bool has_world = !radiance || *radiance != Color3f(0.0f);
     return has_lamp || has_world || plan.emissive_meshes;
 }
 
@@ -116,7 +115,7 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
 
     RenderJob job;
     job.filter = PixelFilter(settings.filter_width_px);
-    job.scene = std::make_shared<Scene>(data, frame.position_world);
+    job.scene = std::make_shared<Scene>(data, frame.position_world, view_frame(frame));
     job.frame = frame;
     eye_ = make_observer_eye(observer, job.scene, frame, settings.threads);
     const bool weighs_pupil = settings.stiles_crawford != StilesCrawfordMode::Off;
@@ -138,7 +137,8 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     }
     job.integrator = {.max_bounces = settings.max_bounces,
                       .film_transparent = settings.film_transparent,
-                      .first_surface = plan_.first_surface};
+                      .first_surface = plan_.first_surface,
+                      .pixel_slope = static_cast<float>(frame.pixel_slope_size().x)};
     job.seed = settings.seed;
     session_ = std::make_unique<Session>(std::move(job), std::move(session));
 }

@@ -30,14 +30,6 @@ void require_finite(const std::string& what, const M44d& matrix)
     }
 }
 
-// `none` is no reference.
-void require_layer(const std::string& what, int number, std::size_t count)
-{
-    if (number != MaterialInput::none) {
-        require_index(what, static_cast<std::size_t>(number), count);
-    }
-}
-
 int intern(std::vector<std::string>& names, const std::string& name)
 {
     const auto found = std::ranges::find(names, name);
@@ -47,6 +39,29 @@ int intern(std::vector<std::string>& names, const std::string& name)
     names.push_back(name);
     return static_cast<int>(names.size() - 1);
 }
+
+// Gives the layers of a scene their numbers, as materials name them.
+class SceneResources final : public NodeResources {
+public:
+    explicit SceneResources(SceneData& data) : data_(data) {}
+
+    [[nodiscard]] int uv_layer(const std::string& name) override
+    {
+        return intern(data_.uv_layer_names, name);
+    }
+    [[nodiscard]] int attribute(const std::string& name) override
+    {
+        return intern(data_.attribute_names, name);
+    }
+    void require_texture(int texture) override
+    {
+        require_index("texture", static_cast<std::size_t>(texture),
+                      static_cast<std::size_t>(data_.textures.size()));
+    }
+
+private:
+    SceneData& data_;
+};
 
 std::vector<std::string> pick(const std::vector<std::string>& names,
                               const std::vector<int>& layers)
@@ -89,18 +104,16 @@ std::size_t SceneBuilder::add_mesh(Mesh mesh)
     return data_.meshes.size() - 1;
 }
 
-std::size_t SceneBuilder::add_material(Material material)
+std::size_t SceneBuilder::add_material(const std::string& name,
+                                       const NodeGraph& graph,
+                                       const std::optional<NodeOutput>& surface,
+                                       const std::optional<NodeOutput>& displacement,
+                                       int pass_index)
 {
     require_unleased();
-    for (const MaterialInput* input : inputs_of(material)) {
-        require_layer("texture", input->texture, static_cast<std::size_t>(data_.textures.size()));
-        if (input->texture != MaterialInput::none) {
-            require_index("UV layer", static_cast<std::size_t>(input->uv_layer),
-                          data_.uv_layer_names.size());
-        }
-        require_layer("colour attribute", input->color_attribute,
-                      data_.color_attribute_names.size());
-    }
+    SceneResources resources(data_);
+    Material material = make_material(name, graph, surface, displacement, resources);
+    material.pass_index = pass_index;
     data_.materials.push_back(std::move(material));
     return data_.materials.size() - 1;
 }
@@ -129,19 +142,11 @@ void SceneBuilder::add_lamp(const LampData& lamp)
     data_.lamps.push_back(lamp);
 }
 
-void SceneBuilder::set_world(const EnvironmentSettings& world)
+void SceneBuilder::set_world(const NodeGraph& graph, const std::optional<NodeOutput>& surface)
 {
     require_unleased();
-    static_cast<void>(Environment({.color = world.color,
-                                   .strength = world.strength,
-                                   .texture = EnvironmentSettings::none,
-                                   .texture_from_world = world.texture_from_world},
-                                  nullptr));  // for its checks
-    if (world.texture != EnvironmentSettings::none) {
-        require_index("texture", static_cast<std::size_t>(world.texture),
-                      static_cast<std::size_t>(data_.textures.size()));
-    }
-    data_.world = world;
+    SceneResources resources(data_);
+    data_.world = make_material("world", graph, surface, std::nullopt, resources);
 }
 
 void SceneBuilder::set_camera(const CameraFrame& frame)
@@ -175,13 +180,6 @@ void SceneBuilder::set_camera(const CameraFrame& frame)
     has_camera_ = true;
 }
 
-int SceneBuilder::uv_layer(const std::string& name) { return intern(data_.uv_layer_names, name); }
-
-int SceneBuilder::color_attribute(const std::string& name)
-{
-    return intern(data_.color_attribute_names, name);
-}
-
 std::vector<const Material*> SceneBuilder::materials_at(
     const std::vector<std::size_t>& numbers) const
 {
@@ -199,11 +197,10 @@ std::vector<std::string> SceneBuilder::uv_layers_read(
     return pick(data_.uv_layer_names, eye_render::uv_layers_read(materials_at(materials)));
 }
 
-std::vector<std::string> SceneBuilder::color_attributes_read(
+std::vector<std::string> SceneBuilder::attributes_read(
     const std::vector<std::size_t>& materials) const
 {
-    return pick(data_.color_attribute_names,
-                eye_render::color_attributes_read(materials_at(materials)));
+    return pick(data_.attribute_names, eye_render::attributes_read(materials_at(materials)));
 }
 
 const CameraFrame& SceneBuilder::camera() const

@@ -7,6 +7,7 @@
 #include "scene/scene_data.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,21 +18,22 @@ public:
     // Each of these returns the number by which the thing is referred to later, and throws
     // std::invalid_argument that names what is wrong.
     std::size_t add_mesh(Mesh mesh);
-    std::size_t add_material(Material material);
+    // What `surface` and `displacement` (shown as bump) of the graph make; nothing is black.
+    std::size_t add_material(const std::string& name,
+                             const NodeGraph& graph,
+                             const std::optional<NodeOutput>& surface,
+                             const std::optional<NodeOutput>& displacement = std::nullopt,
+                             int pass_index = 0);
     void add_instance(InstanceData instance);
     void add_lamp(const LampData& lamp);
-    void set_world(const EnvironmentSettings& world);
+    void set_world(const NodeGraph& graph, const std::optional<NodeOutput>& surface);
     void set_camera(const CameraFrame& frame);
     [[nodiscard]] TextureSet& textures();
-
-    // The number of a layer name, new or known. The empty name is a mesh's first layer.
-    int uv_layer(const std::string& name);
-    int color_attribute(const std::string& name);
 
     // Names of the layers that the materials read.
     [[nodiscard]] std::vector<std::string> uv_layers_read(
         const std::vector<std::size_t>& materials) const;
-    [[nodiscard]] std::vector<std::string> color_attributes_read(
+    [[nodiscard]] std::vector<std::string> attributes_read(
         const std::vector<std::size_t>& materials) const;
 
     // While somebody holds a lease, every change is refused: what was built refers to the data.

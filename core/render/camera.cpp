@@ -49,4 +49,21 @@ CameraRay camera_ray(const CameraFrame& frame,
     return result;
 }
 
+ViewFrame view_frame(const CameraFrame& frame)
+{
+    ViewFrame view;
+    const std::array axes{frame.axis_x, frame.axis_y, frame.axis_z};
+    for (int axis = 0; axis < 3; ++axis) {
+        const V3d& direction = axes[static_cast<std::size_t>(axis)];
+        for (int i = 0; i < 3; ++i) {
+            view.camera_from_world[i][axis] = static_cast<float>(direction[i]);
+        }
+        view.camera_from_world[3][axis] = static_cast<float>(-frame.position_world.dot(direction));
+    }
+    view.slope_first = {static_cast<float>(frame.slope_left),
+                        static_cast<float>(frame.slope_bottom)};
+    view.slope_last = {static_cast<float>(frame.slope_right), static_cast<float>(frame.slope_top)};
+    return view;
+}
+
 }  // namespace eye_render

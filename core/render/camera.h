@@ -9,6 +9,7 @@
 #include "eye/eye_model.h"
 #include "optics/chromatic.h"
 #include "scene/ray.h"
+#include "shading/hit_attributes.h"
 
 namespace eye_render {
 
@@ -45,6 +46,9 @@ struct CameraFrame {
     [[nodiscard]] V2d chief_slope(const V2d& raster) const;
     [[nodiscard]] V2d pixel_slope_size() const;
 };
+
+// As nodes see the camera.
+[[nodiscard]] ViewFrame view_frame(const CameraFrame& frame);
 
 struct CameraRay {
     RayFate fate = RayFate::Transmitted;  // if another, the rest means nothing

@@ -54,19 +54,20 @@ public:
     PathRadiance trace(Ray ray)
     {
         for (int passages = 0; passages <= max_straight_passages;) {
-            const auto hit = scene_.intersect(ray);
+            auto hit = scene_.intersect(ray);
             add_lamps(ray, hit ? hit->t : ray.t_max);
             if (!hit) {
                 add_background(ray);
                 break;
             }
-            const MeshAttributes attributes = scene_.attributes(*hit);
-            const ShadedPoint shaded = shade(hit->material(), hit->point, attributes);
+            path_.length = hit->t;
+            hit->point.footprint = settings_.pixel_slope * (length_ + hit->t);
+            const ShadedPoint shaded = scene_.shade(*hit, path_);
             add_emission(*hit, shaded.emission);
-            if (bounce_ > settings_.max_bounces) {
+            if (path_.depth > settings_.max_bounces) {
                 // The ray after the last bounce only collects what shines by itself, through
                 // whatever lets it pass: light sampling sees through the same surfaces.
-                throughput_ *= straight_transmittance(hit->material(), attributes);
+                throughput_ *= scene_.straight_transmittance(*hit, path_);
                 if (max_component(throughput_) <= 0.0f) {
                     break;
                 }
@@ -87,16 +88,18 @@ public:
             throughput_ *= sample->weight;
             if (sample->is_straight) {
                 pass_through(ray, *hit);
+                ++path_.transparent_depth;
                 ++passages;
                 continue;
             }
+            length_ += hit->t;
+            note_scattering(*sample);
             std::swap(last_, here_);
             last_->point.p_world = hit->p_world;
             last_->pdf = sample->pdf;
             last_->is_delta = sample->is_delta;
             travelled_ = 0.0f;
             ray = {.origin = hit->origin_towards(sample->wi), .direction = sample->wi};
-            ++bounce_;
             if (!survives_roulette(u[3])) {
                 break;
             }
@@ -108,7 +111,26 @@ private:
     void pass_through(Ray& ray, const SurfaceHit& hit)
     {
         travelled_ += hit.t;
+        length_ += hit.t;
         ray = passed_through(ray, hit);
+    }
+
+    void note_scattering(const BsdfSample& sample)
+    {
+        path_.is_camera = false;
+        path_.is_diffuse = sample.is_diffuse;
+        path_.is_glossy = !sample.is_diffuse;
+        path_.is_singular = sample.is_delta;
+        path_.is_transmission = sample.is_transmitted;
+        path_.is_reflection = !sample.is_transmitted;
+        ++path_.depth;
+        if (sample.is_transmitted) {
+            ++path_.transmission_depth;
+        } else if (sample.is_diffuse) {
+            ++path_.diffuse_depth;
+        } else {
+            ++path_.glossy_depth;
+        }
     }
 
     void add(const Color3f& contribution)
@@ -128,7 +150,7 @@ private:
 
     void add_lamps(const Ray& ray, float t_end)
     {
-        if (bounce_ == 0) {
+        if (path_.depth == 0) {
             return;
         }
         scene_.visit_lamps(last_->point, ray.direction, travelled_, travelled_ + t_end,
@@ -139,14 +161,14 @@ private:
 
     void add_background(const Ray& ray)
     {
-        if (bounce_ == 0 && settings_.film_transparent) {
+        if (path_.depth == 0 && settings_.film_transparent) {
             // What straight passages took away stays in the picture as coverage.
             result_.alpha = 1.0f - std::min(1.0f, luminance(throughput_));
             return;
         }
         const float light_pdf =
             last_->is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_->point);
-        add(throughput_ * scene_.background(ray.direction) * weight_against(light_pdf));
+        add(throughput_ * scene_.background(ray.direction, path_) * weight_against(light_pdf));
     }
 
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
@@ -181,7 +203,7 @@ private:
         Color3f contribution =
             throughput_ * scattered.value * light->radiance * (weight / light->pdf);
         if (light->casts_shadow) {
-            contribution *= scene_.transmittance(shadow_ray(hit, *light));
+            contribution *= scene_.transmittance(shadow_ray(hit, *light), path_);
         }
         add(contribution);
     }
@@ -190,7 +212,7 @@ private:
     // which matches how dark parts are displayed (as Cycles does).
     bool survives_roulette(float u)
     {
-        if (bounce_ < roulette_start) {
+        if (path_.depth < roulette_start) {
             return max_component(throughput_) > 0.0f;
         }
         const float probability = std::min(1.0f, std::sqrt(max_component(throughput_)));
@@ -221,7 +243,8 @@ private:
     Scattering* here_ =
         scatterings_.data() + 1;  // becomes the last one when the path is scattered here
     float travelled_ = 0.0f;      // from the last scattering, through straight passages
-    int bounce_ = 0;
+    float length_ = 0.0f;         // of all of the path
+    PathState path_;
     bool has_first_surface_ = false;
 };
 

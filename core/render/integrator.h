@@ -14,6 +14,8 @@ struct IntegratorSettings {
     int max_bounces = 4;            // 0: what is lit directly; straight passages do not count
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
     bool first_surface = false;     // normal and albedo are wanted
+    // Width of a pixel at distance 1 along the view: what is finer is not seen by bump mapping.
+    float pixel_slope = 0.0f;
 };
 
 struct PathRadiance {

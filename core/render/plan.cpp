@@ -103,8 +103,7 @@ void plan_lights(RenderPlan& plan, const SceneData& scene)
         case LampKind::Area: ++plan.area_lamps; break;
         }
     }
-    plan.environment_table =
-        scene.world.texture != EnvironmentSettings::none && scene.world.strength > 0.0f;
+    plan.environment_table = !scene.world.surface.constant_emission();
 }
 
 }  // namespace
@@ -123,13 +122,13 @@ RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
     }
     plan.placements = scene.instances.size();
     for (const Material* material : materials) {
-        plan.emissive_meshes = plan.emissive_meshes || material->may_emit();
-        plan.transparent_shadows = plan.transparent_shadows || material->may_be_transparent();
+        plan.emissive_meshes = plan.emissive_meshes || material->surface.may_emit();
+        plan.transparent_shadows =
+            plan.transparent_shadows || material->surface.may_be_transparent();
     }
     plan.images = static_cast<std::size_t>(scene.textures.size());
     plan.uv_layers = names_of(uv_layers_read(materials), scene.uv_layer_names);
-    plan.color_attributes =
-        names_of(color_attributes_read(materials), scene.color_attribute_names);
+    plan.attributes = names_of(attributes_read(materials), scene.attribute_names);
     plan_lights(plan, scene);
     plan.passes = std::move(passes);
     for (const Pass pass : plan.passes) {
@@ -161,7 +160,7 @@ std::string RenderPlan::text() const
         << instanced_meshes << " meshes instanced\n";
     out << "images: " << images << (images == 0 ? " (OpenImageIO not started)" : "")
         << "; UV layers read: " << quoted_list(uv_layers)
-        << "; colour attributes read: " << quoted_list(color_attributes) << '\n';
+        << "; attributes read: " << quoted_list(attributes) << '\n';
     out << "lights: " << point_lamps << " point, " << suns << " sun, " << spots << " spot, "
         << area_lamps << " area; emissive meshes: " << (emissive_meshes ? "yes" : "no")
         << "; environment table: " << (environment_table ? "yes" : "no") << '\n';

@@ -18,13 +18,13 @@ struct RenderPlan {
     std::size_t instanced_meshes = 0;    // placed more than once, so built once and referred to
     std::size_t images = 0;              // 0: OpenImageIO is not started
     std::vector<std::string> uv_layers;  // read by some material; "" is a mesh's first layer
-    std::vector<std::string> color_attributes;
+    std::vector<std::string> attributes;
     std::size_t point_lamps = 0;
     std::size_t suns = 0;
     std::size_t spots = 0;
     std::size_t area_lamps = 0;
     bool emissive_meshes = false;
-    bool environment_table = false;    // the world is a picture and is importance sampled
+    bool environment_table = false;    // the world differs by direction: importance sampled
     bool transparent_shadows = false;  // shadow rays must look at materials
     double largest_blur_px = 0.0;      // an upper bound over everything in view
     bool lens = false;                 // false: one ray through the pupil's centre serves

@@ -1,8 +1,8 @@
 #include "scene/environment.h"
 
-#include "base/error.h"
 #include "base/warp.h"
-#include "scene/textures.h"
+#include "scene/world_attributes.h"
+#include "shading/picture_coordinates.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
@@ -21,16 +21,18 @@ constexpr float largest = std::numeric_limits<float>::max();
 
 // A finer table costs memory and cache misses and hardly finds the sun any better.
 constexpr int table_max_width = 1024;
+// What mixes with a small picture may be finer.
+constexpr int table_min_width = 128;
+
+// Looks into a cell along either axis, at most: of a picture 8 tables wide each pixel is seen.
+constexpr int max_looks = 8;
+
+// Of light that falls on a surface.
+constexpr PathState light_path{.is_camera = false, .depth = 1};
 
 // Share of the samples that go uniformly over the sphere: what the table rounds to nothing (a
 // dim sky beside a sun 10^8 times brighter) keeps a density, and weights stay bounded.
 constexpr float uniform_share = 0.05f;
-
-V2f uv_from_direction(const V3f& d)
-{
-    return {0.5f - std::atan2(d.y, d.x) / (2.0f * pi_f),
-            0.5f + std::atan2(d.z, std::hypot(d.x, d.y)) / pi_f};
-}
 
 // Sine of the latitude at the lower edge of a row of the table.
 float row_edge_z(int row, int rows)
@@ -79,23 +81,12 @@ Cell find_cell(const float* cdf, int n, float u)
 
 }  // namespace
 
-Environment::Environment(const EnvironmentSettings& settings, const TextureSet* textures)
-    : settings_(settings), world_from_texture_(settings.texture_from_world.transposed()),
-      textures_(textures)
+Environment::Environment(const Material& world, const SceneFrame& frame)
+    : world_(&world), frame_(&frame), constant_(world.surface.constant_emission())
 {
-    require_range("world strength", settings.strength, 0.0, largest, "");
-    for (int i = 0; i < 3; ++i) {
-        require_range("world color", settings.color[i], 0.0, largest, "");
-    }
-    const M33f should_be_identity = settings.texture_from_world * world_from_texture_;
-    if (!should_be_identity.equalWithAbsError(M33f(), 1e-3f)) {
-        throw std::invalid_argument("world rotation is not a rotation matrix");
-    }
-    if (settings.strength == 0.0f) {
-        return;
-    }
-    if (settings.texture == EnvironmentSettings::none) {
-        mean_luminance_ = settings.strength * luminance(settings.color);
+    if (constant_) {
+        constant_ = physical(*constant_);
+        mean_luminance_ = luminance(*constant_);
     } else {
         build_table();
     }
@@ -103,26 +94,56 @@ Environment::Environment(const EnvironmentSettings& settings, const TextureSet* 
 
 void Environment::build_table()
 {
-    const LinearPixels picture = textures_->load_linear_pixels(settings_.texture, table_max_width);
-    const int width = picture.width;
-    const int height = picture.height;
-    const auto luminance_at = [&](int x, int y) {
-        const auto index = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                           static_cast<std::size_t>(x);
-        return luminance(physical(picture.rgb[index]));
+    // As fine as the widest picture: a small sun must meet a look into its cell.
+    int picture_width = world_->textures.empty() ? table_max_width : table_min_width;
+    for (const int texture : world_->textures) {
+        picture_width = std::max(picture_width, frame_->textures->width(texture));
+    }
+    const int width = std::min(picture_width, table_max_width);
+    const int height = width / 2;
+    const int looks = std::min((picture_width + width - 1) / width, max_looks);
+    const auto at = [width](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+               static_cast<std::size_t>(x);
     };
-    // A cell gets the pixels that lookups in it meet. Bilinear interpolation reaches half a pixel
-    // beyond a cell that is one pixel: its mean over the cell has the weights 1/8, 6/8, 1/8 along
-    // either axis. For a picture that was shrunk they are too wide, by a part of a cell, and in
-    // sRGB, which is decoded after interpolation, the mean is only about that: either costs a
-    // little noise, but leaves no cell dark where a lookup finds light.
+    std::vector<float> luminances(at(0, height));
+    const auto for_rows = [height](const auto& work) {
+        tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
+            for (int y = rows.begin(); y != rows.end(); ++y) {
+                work(y);
+            }
+        });
+    };
+    for_rows([&](int y) {
+        for (int x = 0; x < width; ++x) {
+            float sum = 0.0f;
+            for (int look = 0; look < looks * looks; ++look) {
+                const auto part = [looks](int cell, int step) {
+                    return static_cast<float>(cell) +
+                           (static_cast<float>(step) + 0.5f) / static_cast<float>(looks);
+                };
+                const float turn = part(x, look % looks) / static_cast<float>(width);
+                const float tilt = part(y, look / looks) / static_cast<float>(height);
+                const float latitude = pi_f * (tilt - 0.5f);
+                const float longitude = pi_f * (1.0f - 2.0f * turn);
+                sum += luminance(
+                    radiance({std::cos(latitude) * std::cos(longitude),
+                              std::cos(latitude) * std::sin(longitude), std::sin(latitude)},
+                             light_path));
+            }
+            luminances[at(x, y)] = sum / static_cast<float>(looks * looks);
+        }
+    });
+    // Pictures are interpolated: what is dark at its middle may shine at its edge, so a cell gets
+    // a part of its neighbours. It costs a little noise, but leaves no cell dark where a lookup
+    // finds light.
     const auto spread_luminance = [&](int x, int y) {
         const auto weight = [](int offset) { return offset == 0 ? 0.75f : 0.125f; };
         float sum = 0.0f;
         for (int j = -1; j <= 1; ++j) {
             const int row = std::clamp(y + j, 0, height - 1);
             for (int i = -1; i <= 1; ++i) {
-                sum += weight(i) * weight(j) * luminance_at((x + i + width) % width, row);
+                sum += weight(i) * weight(j) * luminances[at((x + i + width) % width, row)];
             }
         }
         return sum;
@@ -132,44 +153,43 @@ void Environment::build_table()
     cell_cdf_.resize(stride * static_cast<std::size_t>(height));
     row_cdf_.resize(static_cast<std::size_t>(height) + 1);
     std::vector<float> row_weights(static_cast<std::size_t>(height));
-    tbb::parallel_for(tbb::blocked_range<int>(0, height, 16), [&](const auto& rows) {
+    for_rows([&](int y) {
         std::vector<float> weights(static_cast<std::size_t>(width));
-        for (int y = rows.begin(); y != rows.end(); ++y) {
-            for (int x = 0; x < width; ++x) {
-                weights[static_cast<std::size_t>(x)] = spread_luminance(x, y);
-            }
-            const double sum = accumulate(weights.data(), width,
-                                          &cell_cdf_[stride * static_cast<std::size_t>(y)]);
-            const float solid_angle = 2.0f * pi_f / static_cast<float>(width) *
-                                      (row_edge_z(y + 1, height) - row_edge_z(y, height));
-            row_weights[static_cast<std::size_t>(y)] = static_cast<float>(sum) * solid_angle;
+        for (int x = 0; x < width; ++x) {
+            weights[static_cast<std::size_t>(x)] = spread_luminance(x, y);
         }
+        const double sum =
+            accumulate(weights.data(), width, &cell_cdf_[stride * static_cast<std::size_t>(y)]);
+        const float solid_angle = 2.0f * pi_f / static_cast<float>(width) *
+                                  (row_edge_z(y + 1, height) - row_edge_z(y, height));
+        row_weights[static_cast<std::size_t>(y)] = static_cast<float>(sum) * solid_angle;
     });
     const double total = accumulate(row_weights.data(), height, row_cdf_.data());
-    mean_luminance_ = settings_.strength * static_cast<float>(total) / (4.0f * pi_f);
+    mean_luminance_ = static_cast<float>(total) / (4.0f * pi_f);
     table_width_ = width;
     table_height_ = height;
 }
 
-Color3f Environment::radiance(const V3f& direction) const
+Color3f Environment::radiance(const V3f& direction, const PathState& path) const
 {
-    if (settings_.texture == EnvironmentSettings::none) {
-        return settings_.color * settings_.strength;
+    if (constant_) {
+        return *constant_;
     }
-    const Color4f texel = textures_->lookup(
-        settings_.texture, uv_from_direction(direction * settings_.texture_from_world));
-    return physical(Color3f(texel.r, texel.g, texel.b) * settings_.strength);
+    const ShadingPoint point{.wo = -direction, .ng = -direction, .ns = -direction};
+    const WorldAttributes attributes(direction, *frame_);
+    return physical(
+        world_->surface.emission({.point = point, .attributes = attributes, .path = path}));
 }
 
 EnvironmentSample Environment::sample(const V2f& u) const
 {
     if (!has_table()) {
         const V3f wi = sample_uniform_sphere(u);
-        return {wi, radiance(wi), uniform_sphere_pdf()};
+        return {wi, radiance(wi, light_path), uniform_sphere_pdf()};
     }
     if (u.x < uniform_share) {
         const V3f wi = sample_uniform_sphere({u.x / uniform_share, u.y});
-        return {wi, radiance(wi), pdf(wi)};
+        return {wi, radiance(wi, light_path), pdf(wi)};
     }
     const float ux = (u.x - uniform_share) / (1.0f - uniform_share);
     const auto stride = static_cast<std::size_t>(table_width_) + 1;
@@ -184,10 +204,10 @@ EnvironmentSample Environment::sample(const V2f& u) const
     const float turn =
         (static_cast<float>(cell.index) + cell.offset) / static_cast<float>(table_width_);
     const float phi = pi_f * (1.0f - 2.0f * turn);
-    const V3f wi = V3f(across * std::cos(phi), across * std::sin(phi), z) * world_from_texture_;
+    const V3f wi(across * std::cos(phi), across * std::sin(phi), z);
     // The density of the chosen cell, not of the one that wi may be rounded into: beside the sun
     // the next cell's can be 10^5 times smaller.
-    return {wi, radiance(wi), density(row.probability * cell.probability, z1 - z0)};
+    return {wi, radiance(wi, light_path), density(row.probability * cell.probability, z1 - z0)};
 }
 
 // Density per unit solid angle in a cell between two latitudes.
@@ -203,7 +223,7 @@ float Environment::pdf(const V3f& direction) const
     if (!has_table()) {
         return uniform_sphere_pdf();
     }
-    const V2f uv = uv_from_direction(direction * settings_.texture_from_world);
+    const V2f uv = uv_equirectangular(direction);
     const auto cell_index = [](float x, int n) {
         return std::clamp(static_cast<int>(x * static_cast<float>(n)), 0, n - 1);
     };

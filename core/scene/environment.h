@@ -1,30 +1,19 @@
-// The world around the scene: one radiance everywhere, or an equirectangular picture.
+// The world around the scene: a shader program of the direction.
 //
-// The picture is laid out as in Blender: u = 1/2 - atan2(y, x) / 2 pi, v = 1/2 + asin(z) / pi
-// with v = 1 at the zenith (+Z), so its centre is seen along +X. A picture is importance sampled
-// by a piecewise constant table of luminance times solid angle (Pharr, Jakob and Humphreys,
-// Physically Based Rendering, 12.5); a constant world by the uniform sphere.
-// Directions are unit, world space, and point away from the scene. Probabilities are per unit
-// solid angle.
+// A world that is the same everywhere is sampled by the uniform sphere, another by a piecewise
+// constant table of luminance times solid angle over longitude and latitude (Pharr, Jakob and
+// Humphreys, Physically Based Rendering, 12.5). Directions are unit, world space, and point away
+// from the scene. Probabilities are per unit solid angle.
 
 #pragma once
 
-#include "base/vector.h"
+#include "scene/scene_frame.h"
+#include "shading/material.h"
 
+#include <optional>
 #include <vector>
 
 namespace eye_render {
-
-class TextureSet;
-
-struct EnvironmentSettings {
-    static constexpr int none = -1;
-
-    Color3f color{0.0f};        // used without a texture
-    float strength = 1.0f;      // radiance = strength times colour or texture
-    int texture = none;         // equirectangular, of the texture set
-    M33f texture_from_world{};  // rotation, row-vector convention
-};
 
 struct EnvironmentSample {
     V3f wi;
@@ -35,13 +24,13 @@ struct EnvironmentSample {
 class Environment {
 public:
     Environment() = default;  // black
-    // Keeps a pointer to `textures`, which may be null without a texture. Throws
-    // std::invalid_argument for light that is negative or infinite, or a matrix that is no
-    // rotation.
-    Environment(const EnvironmentSettings& settings, const TextureSet* textures);
+    // Refers to both, which must outlive it.
+    Environment(const Material& world, const SceneFrame& frame);
 
-    [[nodiscard]] Color3f radiance(const V3f& direction) const;
-    // u in [0,1)^2. pdf is positive for every direction that has radiance.
+    // As the path sees it: a world may look at the path.
+    [[nodiscard]] Color3f radiance(const V3f& direction, const PathState& path) const;
+    // u in [0,1)^2. pdf is positive for every direction that has radiance. The radiance is that
+    // of light that falls on a surface.
     [[nodiscard]] EnvironmentSample sample(const V2f& u) const;
     [[nodiscard]] float pdf(const V3f& direction) const;
 
@@ -55,9 +44,9 @@ private:
     void build_table();
     [[nodiscard]] float density(float cell_probability, float z_extent) const;
 
-    EnvironmentSettings settings_;
-    M33f world_from_texture_;
-    const TextureSet* textures_ = nullptr;
+    const Material* world_ = nullptr;
+    const SceneFrame* frame_ = nullptr;
+    std::optional<Color3f> constant_ = Color3f(0.0f);  // where it is the same everywhere
     float mean_luminance_ = 0.0f;
     int table_width_ = 0;
     int table_height_ = 0;

@@ -1,5 +1,7 @@
 #include "scene/mesh.h"
 
+#include <Imath/ImathBox.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -28,6 +30,28 @@ void check_length(const Mesh& mesh,
 bool is_finite(const V3f& p) { return std::isfinite(p.x + p.y + p.z); }
 
 }  // namespace
+
+TextureSpace texture_space_of(const Mesh& mesh)
+{
+    Imath::Box3f box;
+    for (const V3f& p : mesh.positions) {
+        if (is_finite(p)) {
+            box.extendBy(p);
+        }
+    }
+    if (box.isEmpty()) {
+        return {};
+    }
+    TextureSpace space{.origin = box.min, .size = box.size()};
+    for (int axis = 0; axis < 3; ++axis) {
+        // A flat mesh has one coordinate in its middle, as in Blender.
+        if (!(space.size[axis] > 0.0f)) {
+            space.size[axis] = 1.0f;
+            space.origin[axis] -= 0.5f;
+        }
+    }
+    return space;
+}
 
 void validate(const Mesh& mesh)
 {
@@ -65,9 +89,9 @@ void validate(const Mesh& mesh)
     for (const UvLayer& layer : mesh.uv_layers) {
         check_length(mesh, "UV layer '" + layer.name + "'", layer.per_corner.size(), corners);
     }
-    for (const ColorAttribute& attribute : mesh.color_attributes) {
-        check_length(mesh, "colour attribute '" + attribute.name + "'",
-                     attribute.per_corner.size(), corners);
+    for (const Attribute& attribute : mesh.attributes) {
+        check_length(mesh, "attribute '" + attribute.name + "'", attribute.per_corner.size(),
+                     corners);
     }
 }
 
@@ -103,7 +127,7 @@ std::size_t drop_broken_triangles(Mesh& mesh)
     for (UvLayer& layer : mesh.uv_layers) {
         filter(layer.per_corner, 3);
     }
-    for (ColorAttribute& attribute : mesh.color_attributes) {
+    for (Attribute& attribute : mesh.attributes) {
         filter(attribute.per_corner, 3);
     }
     for (V3f& p : mesh.positions) {

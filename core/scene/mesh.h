@@ -7,6 +7,7 @@
 #include "scene/accelerator.h"
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,9 +18,16 @@ struct UvLayer {
     std::vector<V2f> per_corner;
 };
 
-struct ColorAttribute {
+// Numbers, vectors and colours that materials read by name: a number is in r, g and b.
+struct Attribute {
     std::string name;
-    std::vector<Color4f> per_corner;  // linear Rec. 709, straight alpha
+    std::vector<Color4f> per_corner;  // colours linear Rec. 709, straight alpha
+};
+
+// Blender's texture space: where coordinates Generated are 0 and how far it is to 1.
+struct TextureSpace {
+    V3f origin{0.0f};
+    V3f size{1.0f};
 };
 
 enum class NormalDomain { Flat, PerVertex, PerCorner };
@@ -32,13 +40,17 @@ struct Mesh {
     std::vector<V3f> normals;                  // unit; empty when flat
     std::vector<std::int32_t> material_slots;  // per triangle; empty: slot 0 everywhere
     std::vector<UvLayer> uv_layers;            // the first is the one that unnamed requests read
-    std::vector<ColorAttribute> color_attributes;
+    std::vector<Attribute> attributes;
+    std::optional<TextureSpace> texture_space;  // nothing: the bounding box of the positions
 
     [[nodiscard]] std::size_t slot(std::uint32_t triangle) const
     {
         return material_slots.empty() ? 0 : static_cast<std::size_t>(material_slots[triangle]);
     }
 };
+
+// Of a mesh that says none: its bounding box, at least a little wide.
+[[nodiscard]] TextureSpace texture_space_of(const Mesh& mesh);
 
 // Throws std::invalid_argument when an index or a length is out of range; such meshes
 // are refused here so that no query has to look.

@@ -27,8 +27,8 @@ LayerLookup find_layers(const SceneData& data, const Mesh& mesh)
     for (const std::string& name : data.uv_layer_names) {
         lookup.uv.push_back(layer_named(name, mesh.uv_layers));
     }
-    for (const std::string& name : data.color_attribute_names) {
-        lookup.color.push_back(layer_named(name, mesh.color_attributes));
+    for (const std::string& name : data.attribute_names) {
+        lookup.attributes.push_back(layer_named(name, mesh.attributes));
     }
     return lookup;
 }
@@ -42,9 +42,16 @@ Ray passed_through(const Ray& ray, const SurfaceHit& hit)
             .t_max = std::max(0.0f, ray.t_max - hit.t)};
 }
 
-Scene::Scene(const SceneData& data, const V3d& eye_position_world) : data_(data)
+Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFrame& view)
+    : data_(data), frame_{.eye_position_world = eye_position_world,
+                          .view = view,
+                          .direction_view = view,
+                          .textures = &data.textures}
 {
-    add_placements(eye_position_world);
+    for (int axis = 0; axis < 3; ++axis) {
+        frame_.direction_view.camera_from_world[3][axis] = 0.0f;
+    }
+    add_placements();
     accelerator_.build();
 
     for (const LampData& lamp : data.lamps) {
@@ -58,13 +65,13 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world) : data_(data)
             visible_lamps_.push_back(static_cast<std::uint32_t>(lamps_.size() - 1));
         }
     }
-    environment_ = Environment(data.world, &data.textures);
+    environment_ = Environment(data.world, frame_);
     std::vector<EmissiveTriangle> triangles;
     add_emitters(triangles);
     light_sampler_ = LightSampler(lamps_, triangles, environment_);
 }
 
-void Scene::add_placements(const V3d& eye_position_world)
+void Scene::add_placements()
 {
     std::vector<std::size_t> uses(data_.meshes.size(), 0);
     for (const InstanceData& instance : data_.instances) {
@@ -72,6 +79,8 @@ void Scene::add_placements(const V3d& eye_position_world)
     }
     for (const Mesh& mesh : data_.meshes) {
         mesh_layers_.push_back(find_layers(data_, mesh));
+        texture_spaces_.push_back(mesh.texture_space ? *mesh.texture_space
+                                                     : texture_space_of(mesh));
     }
     std::vector<std::optional<Accelerator::Prototype>> prototypes(data_.meshes.size());
     placements_.reserve(data_.instances.size());
@@ -82,24 +91,26 @@ void Scene::add_placements(const V3d& eye_position_world)
             continue;
         }
         const M44d world_from_object =
-            relative_to_eye(instance.world_from_object, eye_position_world);
+            relative_to_eye(instance.world_from_object, frame_.eye_position_world);
         Placement placement{.mesh = &mesh,
                             .layers = &mesh_layers_[instance.mesh],
+                            .texture_space = &texture_spaces_[instance.mesh],
                             .materials = {},
                             .world_from_object = to_float(world_from_object),
                             .world_from_object_normal = normal_matrix(world_from_object),
                             .is_flat =
                                 uses[instance.mesh] == 1 || !is_invertible(world_from_object),
                             .is_mirrored = is_mirror(world_from_object),
+                            .look = instance.look,
                             .emitters = {}};
         for (const std::size_t material : instance.materials) {
             placement.materials.push_back(&data_.materials[material]);
         }
         if (placement.materials.empty()) {
-            placement.materials.push_back(&plain_material_);
+            placement.materials.push_back(&grey_);
         }
         for (const Material* material : placement.materials) {
-            may_be_transparent_ = may_be_transparent_ || material->may_be_transparent();
+            may_be_transparent_ = may_be_transparent_ || material->surface.may_be_transparent();
         }
         if (placement.is_flat) {
             flat_positions.resize(mesh.positions.size());
@@ -129,12 +140,28 @@ std::optional<SurfaceHit> Scene::intersect(const Ray& ray) const
                             accelerator_.positions(found->placement));
 }
 
-Color3f Scene::transmittance(const Ray& ray) const
+ShadedPoint Scene::shade(const SurfaceHit& hit, const PathState& path) const
+{
+    const MeshAttributes at = attributes(hit);
+    return hit.material().surface.shade({.point = hit.point, .attributes = at, .path = path});
+}
+
+Color3f Scene::straight_transmittance(const SurfaceHit& hit, const PathState& path) const
+{
+    const MeshAttributes at = attributes(hit);
+    return hit.material().surface.straight_transmittance(
+        {.point = hit.point, .attributes = at, .path = path});
+}
+
+Color3f Scene::transmittance(const Ray& ray, const PathState& path) const
 {
     if (!may_be_transparent_) {
         return Color3f(accelerator_.occluded(ray) ? 0.0f : 1.0f);
     }
     Color3f result(1.0f);
+    PathState shadow = path;
+    shadow.is_camera = false;
+    shadow.is_shadow = true;
     Ray rest = ray;
     for (int passages = 0; passages <= max_straight_passages; ++passages) {
         const auto hit = intersect(rest);
@@ -142,10 +169,12 @@ Color3f Scene::transmittance(const Ray& ray) const
             return result;
         }
         const Material& material = hit->material();
-        if (!material.may_be_transparent()) {
+        if (!material.surface.may_be_transparent()) {
             break;
         }
-        result *= straight_transmittance(material, attributes(*hit));
+        shadow.length = hit->t;
+        result *= straight_transmittance(*hit, shadow);
+        ++shadow.transparent_depth;
         if (max_component(result) <= 0.0f) {
             break;
         }
@@ -164,8 +193,8 @@ std::optional<SurfaceHit> Scene::first_visible(const Ray& ray) const
             break;
         }
         const Material& material = hit->material();
-        if (!material.may_be_transparent() ||
-            luminance(straight_transmittance(material, attributes(*hit))) < 0.5f) {
+        if (!material.surface.may_be_transparent() ||
+            luminance(straight_transmittance(*hit, {})) < 0.5f) {
             hit->t += travelled;
             return hit;
         }

@@ -7,7 +7,9 @@
 
 #include "base/vector.h"
 #include "scene/accelerator.h"
+#include "scene/environment.h"
 #include "scene/light_sampler.h"
+#include "scene/mesh_attributes.h"
 #include "scene/scene_data.h"
 #include "scene/surface_hit.h"
 
@@ -48,24 +50,26 @@ inline constexpr int max_straight_passages = 256;
 
 class Scene {
 public:
-    // Keeps pointers into `data`, which must outlive the scene. Throws std::runtime_error when the
+    // Keeps pointers into `data`, which must outlive the scene. `view` is for nodes that ask where
+    // the camera is; it counts from the world's origin. Throws std::runtime_error when the
     // acceleration structure cannot be built.
-    Scene(const SceneData& data, const V3d& eye_position_world);
+    Scene(const SceneData& data, const V3d& eye_position_world, const ViewFrame& view = {});
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
     [[nodiscard]] std::optional<SurfaceHit> intersect(const Ray& ray) const;
 
-    [[nodiscard]] MeshAttributes attributes(const SurfaceHit& hit) const
-    {
-        return {*hit.placement, hit.triangle, hit.u, hit.v, data_.textures};
-    }
+    // The material at a hit: all of it, or only what passes straight through.
+    [[nodiscard]] ShadedPoint shade(const SurfaceHit& hit, const PathState& path) const;
+    [[nodiscard]] Color3f straight_transmittance(const SurfaceHit& hit,
+                                                 const PathState& path) const;
 
     // The first surface that is more to be seen than to be seen through.
     [[nodiscard]] std::optional<SurfaceHit> first_visible(const Ray& ray) const;
 
-    // The part of the light that passes along the ray: 0 behind an opaque surface.
-    [[nodiscard]] Color3f transmittance(const Ray& ray) const;
+    // The part of the light that passes along the ray: 0 behind an opaque surface. `path` is that
+    // of the place it starts from.
+    [[nodiscard]] Color3f transmittance(const Ray& ray, const PathState& path = {}) const;
 
     // Weighs the lights for a point whose lit side is `n`.
     void weigh_lights(const V3f& p, const V3f& n, LitPoint& point) const
@@ -103,25 +107,36 @@ public:
         }
     }
 
-    [[nodiscard]] Color3f background(const V3f& direction) const
+    [[nodiscard]] Color3f background(const V3f& direction, const PathState& path) const
     {
-        return environment_.radiance(direction);
+        return environment_.radiance(direction, path);
     }
 
 private:
-    void add_placements(const V3d& eye_position_world);
+    [[nodiscard]] MeshAttributes attributes(const SurfaceHit& hit) const
+    {
+        return {*hit.placement, hit.triangle, hit.u, hit.v, frame_};
+    }
+    // Radiance that the triangle sends from the point with these weights towards `wo`.
+    [[nodiscard]] Color3f emission(const Emitter& emitter,
+                                   const V2f& weights,
+                                   const V3f& wo) const;
+    void add_placements();
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
     // As the accelerator holds them: in the world for a flat placement, else in object space.
     [[nodiscard]] std::array<V3f, 3> accelerator_corners(const Emitter& emitter) const;
     [[nodiscard]] std::array<V3f, 3> corners_world(const Emitter& emitter) const;
+    [[nodiscard]] V3f emitter_normal(const Emitter& emitter) const;  // unit, the mesh's own side
     [[nodiscard]] std::optional<IncomingLight> sample_emitter(std::uint32_t index,
                                                               const V3f& p,
                                                               const V2f& u) const;
 
     const SceneData& data_;
-    Material plain_material_;
+    SceneFrame frame_;
+    Material grey_ = plain_material("BSDF_DIFFUSE", {});
     Accelerator accelerator_;
     std::vector<LayerLookup> mesh_layers_;
+    std::vector<TextureSpace> texture_spaces_;  // one a mesh
     std::vector<Placement> placements_;
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;

@@ -3,22 +3,28 @@
 
 #pragma once
 
-#include "scene/environment.h"
 #include "scene/lamp.h"
 #include "scene/mesh.h"
 #include "scene/textures.h"
 #include "shading/material.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
 namespace eye_render {
 
+// What the Object Info node tells of an object, besides its place.
+struct ObjectLook {
+    Color4f color{1.0f};
+    float pass_index = 0.0f;
+    float random = 0.0f;  // of this instance, in [0, 1)
+};
+
 struct InstanceData {
     std::size_t mesh = 0;
     M44d world_from_object;              // row-vector convention
-    std::vector<std::size_t> materials;  // one a slot of the mesh; empty: the plain material
+    std::vector<std::size_t> materials;  // one a slot of the mesh; empty: a grey one
+    ObjectLook look{};
 };
 
 struct LampData {
@@ -32,20 +38,15 @@ struct SceneData {
     std::vector<InstanceData> instances;
     std::vector<Material> materials;
     std::vector<LampData> lamps;
-    EnvironmentSettings world;
+    Material world;
     TextureSet textures;
-    // Names behind the layer numbers of MaterialInput. The empty name asks for a mesh's first
-    // layer.
-    std::vector<std::string> uv_layer_names;
-    std::vector<std::string> color_attribute_names;
+    // Names behind the layer numbers of materials. The empty name asks for a mesh's first layer.
+    std::vector<std::string> uv_layer_names{""};
+    std::vector<std::string> attribute_names;
 };
 
-// Every input of a material, whether its surface uses it or not.
-[[nodiscard]] std::array<const MaterialInput*, 11> inputs_of(const Material& material);
-
-// The layer numbers that some input of the materials reads, ascending and without repeats.
+// The layer numbers that some of the materials reads, ascending and without repeats.
 [[nodiscard]] std::vector<int> uv_layers_read(const std::vector<const Material*>& materials);
-[[nodiscard]] std::vector<int> color_attributes_read(
-    const std::vector<const Material*>& materials);
+[[nodiscard]] std::vector<int> attributes_read(const std::vector<const Material*>& materials);
 
 }  // namespace eye_render

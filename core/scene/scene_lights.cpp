@@ -19,26 +19,32 @@ void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
 {
     for (Placement& placement : placements_) {
         const Mesh& mesh = *placement.mesh;
-        const bool may_emit = std::ranges::any_of(
-            placement.materials, [](const Material* material) { return material->may_emit(); });
+        const bool may_emit =
+            std::ranges::any_of(placement.materials, [](const Material* material) {
+                return material->surface.may_emit();
+            });
         if (!may_emit) {
             continue;
         }
         placement.emitters.assign(mesh.triangles.size(), -1);
         for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
             const Material& material = placement.material(t);
-            if (!material.may_emit()) {
+            if (!material.surface.may_emit()) {
                 continue;
             }
             // A textured emitter is judged by its centre and its corners' neighbourhoods.
             constexpr std::array<V2f, 4> probes{
                 V2f{1.0f / 3, 1.0f / 3}, {0.1f, 0.1f}, {0.8f, 0.1f}, {0.1f, 0.8f}};
-            float estimate = 0.0f;
-            for (const V2f& b : probes) {
-                const MeshAttributes attributes(placement, t, b.x, b.y, data_.textures);
-                estimate += luminance(emitted_radiance(material, attributes)) / probes.size();
-            }
             const Emitter emitter{.placement = &placement, .triangle = t};
+            // Towards its own two sides: a material may shine on one of them alone.
+            float estimate = 0.0f;
+            const V3f normal = emitter_normal(emitter);
+            for (const V2f& weights : probes) {
+                for (const float side : {1.0f, -1.0f}) {
+                    estimate += luminance(emission(emitter, weights, normal * side)) /
+                                (2.0f * probes.size());
+                }
+            }
             const auto [p0, p1, p2] = corners_world(emitter);
             placement.emitters[t] = static_cast<int>(emitters_.size());
             emitters_.push_back(emitter);
@@ -46,6 +52,26 @@ void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
                 {.p0_world = p0, .p1_world = p1, .p2_world = p2, .radiance = estimate});
         }
     }
+}
+
+V3f Scene::emitter_normal(const Emitter& emitter) const
+{
+    const auto [p0, p1, p2] = corners_world(emitter);
+    const V3f normal = unit_or((p1 - p0).cross(p2 - p0), V3f(0.0f, 0.0f, 1.0f));
+    return emitter.placement->is_mirrored ? -normal : normal;
+}
+
+Color3f Scene::emission(const Emitter& emitter, const V2f& weights, const V3f& wo) const
+{
+    constexpr PathState light_path{.is_camera = false, .depth = 1};
+    const V3f normal = emitter_normal(emitter);
+    const bool backfacing = normal.dot(wo) < 0.0f;
+    const MeshAttributes at(*emitter.placement, emitter.triangle, weights.x, weights.y, frame_);
+    const V3f ng = backfacing ? -normal : normal;
+    const V3f ns = at.smooth_normal() * (backfacing ? -1.0f : 1.0f);
+    const ShadingPoint point{.wo = wo, .ng = ng, .ns = ns, .backfacing = backfacing};
+    return emitter.placement->material(emitter.triangle)
+        .surface.emission({.point = point, .attributes = at, .path = light_path});
 }
 
 std::array<V3f, 3> Scene::accelerator_corners(const Emitter& emitter) const
@@ -128,13 +154,11 @@ std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
     if (!(projected > 0.0f)) {
         return std::nullopt;
     }
-    const MeshAttributes attributes(*emitter.placement, emitter.triangle, b.y, 1.0f - b.x - b.y,
-                                    data_.textures);
-    return IncomingLight{
-        .wi = to_light / distance,
-        .distance = distance * (1.0f - shadow_margin),
-        .radiance = emitted_radiance(emitter.placement->material(emitter.triangle), attributes),
-        .pdf = uniform_triangle_pdf() * distance2 * distance / projected};
+    return IncomingLight{.wi = to_light / distance,
+                         .distance = distance * (1.0f - shadow_margin),
+                         .radiance =
+                             emission(emitter, {b.y, 1.0f - b.x - b.y}, -to_light / distance),
+                         .pdf = uniform_triangle_pdf() * distance2 * distance / projected};
 }
 
 float Scene::emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const

@@ -1,5 +1,7 @@
 #include "scene/surface_hit.h"
 
+#include "scene/barycentric.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -7,24 +9,6 @@
 namespace eye_render {
 
 namespace {
-
-template <typename T>
-T interpolate(const T& a, const T& b, const T& c, float u, float v)
-{
-    return a * (1.0f - u - v) + b * u + c * v;
-}
-
-// Unit normal of the triangle at (u, v) in object space, or `ng` where the mesh is flat there.
-V3f interpolated_normal(const Mesh& mesh, std::uint32_t triangle, float u, float v)
-{
-    const V3f* n = mesh.normals.data();
-    if (mesh.normal_domain == NormalDomain::PerVertex) {
-        const TriangleIndices& corner = mesh.triangles[triangle];
-        return interpolate(n[corner[0]], n[corner[1]], n[corner[2]], u, v);
-    }
-    const std::size_t first = 3 * std::size_t{triangle};
-    return interpolate(n[first], n[first + 1], n[first + 2], u, v);
-}
 
 }  // namespace
 
@@ -94,62 +78,6 @@ SurfaceHit make_surface_hit(const Ray& ray,
     point.ng = point.backfacing ? -ng : ng;
     point.ns = point.backfacing ? -point.ns : point.ns;
     return hit;
-}
-
-V2f MeshAttributes::uv(int uv_layer) const
-{
-    const int layer = placement_.layers->uv[static_cast<std::size_t>(uv_layer)];
-    if (layer == LayerLookup::none) {
-        return V2f(0.0f);
-    }
-    const auto& uvs = placement_.mesh->uv_layers[static_cast<std::size_t>(layer)].per_corner;
-    const std::size_t first = 3 * std::size_t{triangle_};
-    return interpolate(uvs[first], uvs[first + 1], uvs[first + 2], u_, v_);
-}
-
-TangentFrame MeshAttributes::tangent(int uv_layer) const
-{
-    const int layer = placement_.layers->uv[static_cast<std::size_t>(uv_layer)];
-    if (layer == LayerLookup::none) {
-        return {};
-    }
-    const Mesh& mesh = *placement_.mesh;
-    const auto& uvs = mesh.uv_layers[static_cast<std::size_t>(layer)].per_corner;
-    const std::size_t first = 3 * std::size_t{triangle_};
-    const V2f uv1 = uvs[first + 1] - uvs[first];
-    const V2f uv2 = uvs[first + 2] - uvs[first];
-    const TriangleIndices& corner = mesh.triangles[triangle_];
-    const V3f e1 = mesh.positions[corner[1]] - mesh.positions[corner[0]];
-    const V3f e2 = mesh.positions[corner[2]] - mesh.positions[corner[0]];
-    const float area = uv1.x * uv2.y - uv1.y * uv2.x;
-    // Directions keep their side under the plain matrix, so the frame's handedness is the map's,
-    // reversed where the object is mirrored.
-    V3f tangent;
-    placement_.world_from_object.multDirMatrix(
-        (e1 * uv2.y - e2 * uv1.y) * (area < 0.0f ? -1.0f : 1.0f), tangent);
-    const float length = tangent.length();
-    if (!(length > 0.0f)) {
-        return {};
-    }
-    const bool is_reversed = (area < 0.0f) != placement_.is_mirrored;
-    return {.tangent = tangent / length, .bitangent_sign = is_reversed ? -1.0f : 1.0f};
-}
-
-Color4f MeshAttributes::color(int color_attribute) const
-{
-    const int layer = placement_.layers->color[static_cast<std::size_t>(color_attribute)];
-    if (layer == LayerLookup::none) {
-        return Color4f(0.0f);
-    }
-    const auto& colors =
-        placement_.mesh->color_attributes[static_cast<std::size_t>(layer)].per_corner;
-    const std::size_t first = 3 * std::size_t{triangle_};
-    return interpolate(colors[first], colors[first + 1], colors[first + 2], u_, v_);
-}
-
-Color4f MeshAttributes::texture(int texture, const V2f& uv) const
-{
-    return textures_.lookup(texture, uv);
 }
 
 }  // namespace eye_render

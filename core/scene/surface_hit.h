@@ -1,10 +1,10 @@
-// Where a ray met a mesh, and what a material may ask about the place. World space is relative to
-// the eye.
+// Where a ray met a mesh. World space is relative to the eye.
 
 #pragma once
 
 #include "scene/mesh.h"
-#include "scene/textures.h"
+#include "scene/ray.h"
+#include "scene/scene_data.h"
 #include "shading/material.h"
 
 #include <array>
@@ -17,24 +17,30 @@ namespace eye_render {
 struct LayerLookup {
     static constexpr int none = -1;
     std::vector<int> uv;
-    std::vector<int> color;
+    std::vector<int> attributes;
 };
 
 // One mesh at one place of the scene.
 struct Placement {
     const Mesh* mesh = nullptr;
     const LayerLookup* layers = nullptr;
+    const TextureSpace* texture_space = nullptr;
     std::vector<const Material*> materials;  // one a slot, at least one
     M44f world_from_object;
     M33f world_from_object_normal;  // inverse transpose, so that normals keep their side
     bool is_flat = true;            // the accelerator holds the positions in world space
     bool is_mirrored = false;       // the determinant is negative
+    ObjectLook look;
     std::vector<int>
         emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 
+    [[nodiscard]] std::size_t material_slot(std::uint32_t triangle) const
+    {
+        return std::min(mesh->slot(triangle), materials.size() - 1);
+    }
     [[nodiscard]] const Material& material(std::uint32_t triangle) const
     {
-        return *materials[std::min(mesh->slot(triangle), materials.size() - 1)];
+        return *materials[material_slot(triangle)];
     }
 };
 
@@ -72,30 +78,5 @@ struct SurfaceHit {
                                           const AcceleratorHit& found,
                                           const Placement& placement,
                                           std::span<const V3f> positions);
-
-// Reads layers and textures at a point of a triangle, on request only.
-class MeshAttributes final : public HitAttributes {
-public:
-    MeshAttributes(const Placement& placement,
-                   std::uint32_t triangle,
-                   float u,
-                   float v,
-                   const TextureSet& textures)
-        : placement_(placement), triangle_(triangle), u_(u), v_(v), textures_(textures)
-    {
-    }
-
-    [[nodiscard]] V2f uv(int uv_layer) const override;
-    [[nodiscard]] TangentFrame tangent(int uv_layer) const override;
-    [[nodiscard]] Color4f color(int color_attribute) const override;
-    [[nodiscard]] Color4f texture(int texture, const V2f& uv) const override;
-
-private:
-    const Placement& placement_;
-    std::uint32_t triangle_;
-    float u_;
-    float v_;
-    const TextureSet& textures_;
-};
 
 }  // namespace eye_render

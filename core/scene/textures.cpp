@@ -139,13 +139,10 @@ Color4f TextureSet::lookup(int texture, const V2f& uv) const
     return {color.x, color.y, color.z, alpha};
 }
 
-LinearPixels TextureSet::load_linear_pixels(int texture, int max_width) const
+int TextureSet::width(int texture) const
 {
     const Texture* t = impl_->readable(texture);
-    if (t == nullptr) {
-        return {1, 1, {Color3f(1.0f, 0.0f, 1.0f)}};
-    }
-    return shrink_image(*impl_->cache, *t->image, t->options.colorspace, max_width);
+    return t == nullptr ? 1 : t->image->width;
 }
 
 int TextureSet::size() const { return static_cast<int>(impl_->textures.size()); }

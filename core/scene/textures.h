@@ -8,7 +8,6 @@
 #pragma once
 
 #include "base/vector.h"
-#include "scene/linear_pixels.h"
 #include "scene/memory_image.h"
 #include "scene/texture_options.h"
 
@@ -37,8 +36,8 @@ public:
     // an index that was never given out, or uv that is not finite, gives magenta.
     [[nodiscard]] Color4f lookup(int texture, const V2f& uv) const;
 
-    // The image shrunk by box filtering to at most `max_width` pixels wide, aspect kept.
-    [[nodiscard]] LinearPixels load_linear_pixels(int texture, int max_width) const;
+    // Pixels; 1 of an image that cannot be read.
+    [[nodiscard]] int width(int texture) const;
 
     [[nodiscard]] int size() const;
     [[nodiscard]] bool started() const;  // whether OpenImageIO is in use

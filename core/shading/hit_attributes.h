@@ -16,7 +16,7 @@ struct TangentFrame {
 
 // A layer or property that a node reads by name. Colours are linear Rec. 709, straight alpha.
 struct AttributeValue {
-    Color4f value{0.0f, 0.0f, 0.0f, 1.0f};
+    Color4f value{0.0f};
     bool exists = false;
 };
 
@@ -40,6 +40,8 @@ struct ViewFrame {
 
 class HitAttributes {
 public:
+    static constexpr int active_uv_layer = 0;  // whatever the mesh calls it
+
     virtual ~HitAttributes() = default;
 
     [[nodiscard]] virtual V3f position_world() const = 0;

@@ -1,107 +1,82 @@
-// The surfaces of Material but Principled, and what is asked of all without their BSDF.
-
 #include "shading/material.h"
 
-#include "shading/ggx_surface.h"
-#include "shading/material_input.h"
-#include "shading/principled.h"
-#include "shading/shading_normal.h"
+#include <set>
+#include <stdexcept>
 
 namespace eye_render {
 
 namespace {
 
-[[nodiscard]] bool is_constantly(const MaterialInput& input, float value)
-{
-    return input.is_constant() && input.constant == Color3f(value);
-}
+// Remembers what was asked for.
+class RecordingResources final : public NodeResources {
+public:
+    explicit RecordingResources(NodeResources& inner) : inner_(inner) {}
 
-[[nodiscard]] GgxSurface ggx_surface(const Material& material,
-                                     const ShadingPoint& point,
-                                     const HitAttributes& attributes)
-{
-    const V3f normal = visible_normal(mapped_normal(material, point, attributes), point);
-    return {
-        .normal = normal,
-        .cos_o = normal.dot(point.wo),
-        .roughness = read_scalar(material.roughness, attributes, 0.0f, 1.0f),
-        .multiple_scattering = material.multiple_scattering,
-    };
-}
+    [[nodiscard]] int uv_layer(const std::string& name) override
+    {
+        return *uv_layers.insert(inner_.uv_layer(name)).first;
+    }
+    [[nodiscard]] int attribute(const std::string& name) override
+    {
+        return *attributes.insert(inner_.attribute(name)).first;
+    }
+    void require_texture(int texture) override
+    {
+        inner_.require_texture(texture);
+        textures.insert(texture);
+    }
+
+    std::set<int> uv_layers;
+    std::set<int> attributes;
+    std::set<int> textures;
+
+private:
+    NodeResources& inner_;
+};
+
+// Of a material that names none.
+class NoResources final : public NodeResources {
+public:
+    [[nodiscard]] int uv_layer(const std::string& name) override { refuse("UV layer " + name); }
+    [[nodiscard]] int attribute(const std::string& name) override { refuse("attribute " + name); }
+    void require_texture(int texture) override { refuse("texture " + std::to_string(texture)); }
+
+private:
+    [[noreturn]] static void refuse(const std::string& what)
+    {
+        throw std::invalid_argument(what + " is read by a material of constants");
+    }
+};
 
 }  // namespace
 
-bool Material::may_be_transparent() const
+Material make_material(std::string name,
+                       const NodeGraph& graph,
+                       const std::optional<NodeOutput>& surface,
+                       const std::optional<NodeOutput>& displacement,
+                       NodeResources& resources)
 {
-    switch (surface) {
-    case Surface::Principled: return !(alpha.is_constant() && alpha.constant.x >= 1.0f);
-    case Surface::Transparent: return !is_constantly(base_color, 0.0f);
-    default: return false;
-    }
+    RecordingResources read(resources);
+    Material material{.name = std::move(name),
+                      .surface = ShaderProgram(graph, surface, displacement, read)};
+    material.uv_layers.assign(read.uv_layers.begin(), read.uv_layers.end());
+    material.attributes.assign(read.attributes.begin(), read.attributes.end());
+    material.textures.assign(read.textures.begin(), read.textures.end());
+    return material;
 }
 
-bool Material::may_emit() const
+Material plain_material(std::string_view closure,
+                        std::initializer_list<std::pair<std::string_view, NodeValue>> inputs,
+                        NodeOptions options)
 {
-    return (surface == Surface::Principled || surface == Surface::Emission) &&
-           !is_constantly(emission_color, 0.0f) && !is_constantly(emission_strength, 0.0f);
-}
-
-ShadedPoint shade(const Material& material,
-                  const ShadingPoint& point,
-                  const HitAttributes& attributes)
-{
-    if (material.surface == Surface::Principled) {
-        return shade_principled(material, point, attributes);
+    NodeGraph graph;
+    const std::size_t node = graph.add(closure, std::move(options));
+    for (const auto& [identifier, value] : inputs) {
+        graph.set(node, identifier, value);
     }
-    if (material.surface == Surface::Emission) {
-        return {.bsdf = Bsdf(point.wo, point.ng),
-                .emission = emitted_radiance(material, attributes)};
-    }
-
-    ShadedPoint shaded{.bsdf = Bsdf(point.wo, point.ng)};
-    const Color3f color = read_color(material.base_color, attributes);
-    switch (material.surface) {
-    case Surface::Diffuse: {
-        const V3f normal = mapped_normal(material, point, attributes);
-        shaded.bsdf.add(diffuse_lobe(color, normal, point.ns), color);
-        break;
-    }
-    case Surface::Glossy:
-        add_glossy(shaded.bsdf, ggx_surface(material, point, attributes), color);
-        break;
-    case Surface::Glass: {
-        const float ior = read_ior(material.ior, attributes);
-        add_glass(shaded.bsdf, ggx_surface(material, point, attributes), 1.0f, color, color,
-                  point.backfacing ? 1.0f / ior : ior);
-        break;
-    }
-    default: shaded.bsdf.add(straight_lobe(color), color); break;
-    }
-    return shaded;
-}
-
-Color3f straight_transmittance(const Material& material, const HitAttributes& attributes)
-{
-    switch (material.surface) {
-    case Surface::Principled:
-        return Color3f(1.0f - read_scalar(material.alpha, attributes, 0.0f, 1.0f));
-    case Surface::Transparent: return read_color(material.base_color, attributes);
-    default: return Color3f(0.0f);
-    }
-}
-
-Color3f emitted_radiance(const Material& material, const HitAttributes& attributes)
-{
-    if (!material.may_emit()) {
-        return Color3f(0.0f);
-    }
-    const Color3f color = read_color(material.emission_color, attributes);
-    constexpr float largest_strength = 1e8f;
-    const Color3f radiance =
-        color * read_scalar(material.emission_strength, attributes, 0.0f, largest_strength);
-    return material.surface == Surface::Principled
-               ? radiance * read_scalar(material.alpha, attributes, 0.0f, 1.0f)
-               : radiance;
+    NoResources resources;
+    return make_material(std::string(closure), graph, NodeOutput{.node = node}, std::nullopt,
+                         resources);
 }
 
 }  // namespace eye_render

@@ -30,7 +30,7 @@ using NodeValue = V3f;
 enum class SocketType : std::uint8_t { Number, Vector, Color, Shader };
 
 // What an input that nothing is linked to reads in place of its value.
-enum class ImplicitInput : std::uint8_t { None, Generated, Uv, Normal, Incoming };
+enum class ImplicitInput : std::uint8_t { None, Generated, Uv, Normal, Position };
 
 struct InputSocket {
     std::string_view identifier;
@@ -42,6 +42,7 @@ struct InputSocket {
 struct OutputSocket {
     std::string_view identifier;
     SocketType type = SocketType::Number;
+    bool reads_active_uv = false;
 };
 
 // World-space geometry of a hit, already turned to the viewer: dot(wo, ng) > 0.
@@ -153,7 +154,7 @@ public:
 class NodeResources {
 public:
     virtual ~NodeResources() = default;
-    // The empty name is a mesh's active layer.
+    // The empty name is a mesh's active layer, and has number HitAttributes::active_uv_layer.
     [[nodiscard]] virtual int uv_layer(const std::string& name) = 0;
     [[nodiscard]] virtual int attribute(const std::string& name) = 0;
     // Throws std::invalid_argument unless there is a texture of that number.

@@ -1,5 +1,6 @@
 // The options of a node as they come from outside: Blender's properties of the node, each a text
-// (also of an enumerator), a number (also a switch) or a list of numbers (a sampled curve or ramp).
+// (also of an enumerator), a number (also a switch) or a list of numbers (a sampled curve or
+// ramp).
 
 #pragma once
 

@@ -18,7 +18,9 @@ namespace eye_render {
 [[nodiscard]] std::span<const NodeType> math_nodes();
 // Mix, Curves, Colour Ramp, Hue/Saturation, …
 [[nodiscard]] std::span<const NodeType> color_nodes();
-// Texture Coordinate, Geometry, Object Info, Light Path, …: what is read from the hit.
+// Texture Coordinate, UV Map, Geometry, Attribute, Tangent: places and layers of the hit.
+[[nodiscard]] std::span<const NodeType> coordinate_nodes();
+// Object Info, Light Path, Fresnel, …: what else is read from the hit.
 [[nodiscard]] std::span<const NodeType> input_nodes();
 // Normal Map, Bump, Displacement: what bends the normal.
 [[nodiscard]] std::span<const NodeType> normal_nodes();

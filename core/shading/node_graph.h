@@ -1,0 +1,50 @@
+// A tree of shader nodes as it comes from outside: checked at every call, so that a graph that was
+// built compiles unless it runs in a circle.
+
+#pragma once
+
+#include "shading/node.h"
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace eye_render {
+
+struct NodeOutput {
+    std::size_t node = 0;
+    std::size_t output = 0;
+};
+
+class NodeGraph {
+public:
+    // What feeds an input: nothing but the socket's default, a value, or another node.
+    using Source = std::variant<std::monostate, NodeValue, NodeOutput>;
+
+    struct Node {
+        const NodeType* type = nullptr;
+        NodeOptions options;
+        std::vector<Source> inputs;  // one a socket of the type
+    };
+
+    // Returns the node's number. Throws std::invalid_argument for a kind or an option that does
+    // not exist.
+    std::size_t add(std::string_view type, NodeOptions options = {});
+
+    // Throw std::invalid_argument for a node or a socket that does not exist.
+    void set(std::size_t node, std::string_view input, const NodeValue& value);
+    void link(std::size_t node, std::string_view input, const NodeOutput& from);
+    [[nodiscard]] NodeOutput output(std::size_t node, std::string_view output) const;
+
+    [[nodiscard]] const Node& node(std::size_t number) const { return nodes_[number]; }
+    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+private:
+    [[nodiscard]] const Node& checked(std::size_t node) const;
+    [[nodiscard]] Source& input(std::size_t node, std::string_view identifier);
+
+    std::vector<Node> nodes_;
+};
+
+}  // namespace eye_render

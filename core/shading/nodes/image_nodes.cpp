@@ -1,0 +1,173 @@
+// Pictures laid on a surface or around the scene. Textures are numbers of the scene.
+
+#include "shading/nodes/make_node.h"
+#include "shading/nodes/node_tables.h"
+#include "shading/picture_coordinates.h"
+
+#include <array>
+#include <cmath>
+#include <map>
+
+namespace eye_render {
+
+namespace {
+
+using enum SocketType;
+using Made = std::unique_ptr<const ValueNode>;
+
+enum class Projection { Flat, Box, Sphere, Tube };
+
+// One picture, or the tiles of a UDIM set by their number (1001 is the square from 0 to 1).
+class Picture {
+public:
+    // `tiles` is number, texture, number, texture, ….
+    Picture(int texture, const std::vector<float>& tiles, NodeResources& resources)
+        : texture_(texture)
+    {
+        if (tiles.empty()) {
+            resources.require_texture(texture);
+        }
+        for (std::size_t i = 0; i + 1 < tiles.size(); i += 2) {
+            const int tile = static_cast<int>(tiles[i + 1]);
+            resources.require_texture(tile);
+            tiles_[static_cast<int>(tiles[i])] = tile;
+        }
+    }
+
+    [[nodiscard]] Color4f look_up(const HitAttributes& attributes, const V2f& uv) const
+    {
+        if (tiles_.empty()) {
+            return attributes.texture(texture_, uv);
+        }
+        constexpr float columns = 10.0f;
+        const V2f corner(std::floor(uv.x), std::floor(uv.y));
+        const bool is_in_grid =
+            corner.x >= 0.0f && corner.x < columns && corner.y >= 0.0f && corner.y < 100.0f;
+        const auto tile =
+            is_in_grid
+                ? tiles_.find(1001 + static_cast<int>(corner.x) + 10 * static_cast<int>(corner.y))
+                : tiles_.end();
+        // Where there is no tile a UDIM set is transparent black.
+        return tile == tiles_.end() ? Color4f(0.0f)
+                                    : attributes.texture(tile->second, uv - corner);
+    }
+
+private:
+    int texture_;
+    std::map<int, int> tiles_;
+};
+
+class ImageTextureNode final : public ValueNode {
+public:
+    ImageTextureNode(Picture picture, Projection projection, float blend, bool is_premultiplied)
+        : picture_(std::move(picture)), projection_(projection), blend_(blend),
+          is_premultiplied_(is_premultiplied)
+    {
+    }
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        const Color4f c = look_up(in.hit(), in.vector(0));
+        // Nobody who leaves the alpha away wants the colour that hides behind it.
+        const float share = is_premultiplied_ && !in.wants(1) ? c.a : 1.0f;
+        out[0] = V3f(c.r, c.g, c.b) * share;
+        out[1] = NodeValue(c.a);
+    }
+
+private:
+    [[nodiscard]] Color4f look_up(const Hit& hit, const V3f& p) const
+    {
+        switch (projection_) {
+        case Projection::Sphere: return picture_.look_up(hit.attributes, uv_on_sphere(p));
+        case Projection::Tube: return picture_.look_up(hit.attributes, uv_on_tube(p));
+        case Projection::Box: return look_up_box(hit, p);
+        default: return picture_.look_up(hit.attributes, {p.x, p.y});
+        }
+    }
+
+    [[nodiscard]] Color4f look_up_box(const Hit& hit, const V3f& p) const
+    {
+        V3f normal;
+        hit.attributes.object().world_from_object.transposed().multDirMatrix(hit.point.ns, normal);
+        const V3f weights = box_weights(normal, blend_);
+        Color4f sum(0.0f);
+        for (int side = 0; side < 3; ++side) {
+            if (weights[side] > 0.0f) {
+                sum += picture_.look_up(hit.attributes, uv_on_box(p, side, normal[side] < 0.0f)) *
+                       weights[side];
+            }
+        }
+        return sum;
+    }
+
+    Picture picture_;
+    Projection projection_;
+    float blend_;
+    bool is_premultiplied_;
+};
+
+class EnvironmentTextureNode final : public ValueNode {
+public:
+    EnvironmentTextureNode(int texture, bool is_mirror_ball)
+        : texture_(texture), is_mirror_ball_(is_mirror_ball)
+    {
+    }
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        const V3f direction = in.vector(0);
+        const Color4f c = in.hit().attributes.texture(
+            texture_, is_mirror_ball_ ? uv_on_mirror_ball(direction.normalized())
+                                      : uv_equirectangular(direction));
+        out[0] = {c.r, c.g, c.b};
+    }
+
+private:
+    int texture_;
+    bool is_mirror_ball_;
+};
+
+Made make_image_texture(const NodeOptions& options, NodeResources& resources)
+{
+    return std::make_unique<ImageTextureNode>(
+        Picture(static_cast<int>(options.number("texture", -1.0)), options.numbers("tiles"),
+                resources),
+        options.choice<Projection>("projection", {{"FLAT", Projection::Flat},
+                                                  {"BOX", Projection::Box},
+                                                  {"SPHERE", Projection::Sphere},
+                                                  {"TUBE", Projection::Tube}}),
+        static_cast<float>(options.number("projection_blend", 0.0)),
+        options.is_set("premultiplied", false));
+}
+
+Made make_environment_texture(const NodeOptions& options, NodeResources& resources)
+{
+    const int texture = static_cast<int>(options.number("texture", -1.0));
+    resources.require_texture(texture);
+    return std::make_unique<EnvironmentTextureNode>(
+        texture,
+        options.choice<bool>("projection", {{"EQUIRECTANGULAR", false}, {"MIRROR_BALL", true}}));
+}
+
+constexpr std::array image_in{InputSocket{"Vector", Vector, NodeValue(0.0f), ImplicitInput::Uv}};
+constexpr std::array environment_in{
+    InputSocket{"Vector", Vector, NodeValue(0.0f), ImplicitInput::Position}};
+constexpr std::array image_out{OutputSocket{"Color", Color}, OutputSocket{"Alpha", Number}};
+constexpr std::array environment_out{OutputSocket{"Color", Color}};
+constexpr std::array<std::string_view, 5> image_options{"texture", "tiles", "projection",
+                                                        "projection_blend", "premultiplied"};
+constexpr std::array<std::string_view, 2> environment_options{"texture", "projection"};
+
+}  // namespace
+
+std::span<const NodeType> image_texture_nodes()
+{
+    static const std::array nodes{
+        hit_reader("TEX_IMAGE", image_in, image_out, make_image_texture, image_options),
+        hit_reader("TEX_ENVIRONMENT", environment_in, environment_out, make_environment_texture,
+                   environment_options),
+    };
+    return nodes;
+}
+
+}  // namespace eye_render

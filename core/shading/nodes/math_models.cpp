@@ -1,0 +1,204 @@
+// Nodes between colours and numbers: Combine and Separate Color and their older forms, RGB, RGB to
+// BW, Blackbody, Wavelength.
+
+#include "shading/functions/color_models.h"
+#include "shading/functions/spectral_colors.h"
+#include "shading/nodes/constant_option.h"
+#include "shading/nodes/converter_nodes.h"
+#include "shading/nodes/make_node.h"
+
+#include <array>
+
+namespace eye_render {
+
+namespace {
+
+using enum SocketType;
+
+enum class ColorModel { Rgb, Hsv, Hsl };
+
+[[nodiscard]] Color3f rgb_from(ColorModel model, const V3f& parts)
+{
+    switch (model) {
+    case ColorModel::Hsv: return rgb_from_hsv(parts);
+    case ColorModel::Hsl: return rgb_from_hsl(parts);
+    default: return parts;
+    }
+}
+
+[[nodiscard]] V3f parts_from(ColorModel model, const Color3f& rgb)
+{
+    switch (model) {
+    case ColorModel::Hsv: return hsv_from_rgb(rgb);
+    case ColorModel::Hsl: return hsl_from_rgb(rgb);
+    default: return rgb;
+    }
+}
+
+[[nodiscard]] V3f three_numbers(const NodeInputs& in)
+{
+    return {in.number(0), in.number(1), in.number(2)};
+}
+
+void spread(const V3f& parts, std::span<NodeValue> out)
+{
+    for (int i = 0; i < 3; ++i) {
+        out[static_cast<std::size_t>(i)] = NodeValue(parts[i]);
+    }
+}
+
+[[nodiscard]] ColorModel model_option(const NodeOptions& options)
+{
+    return options.choice<ColorModel>(
+        "mode", {{"RGB", ColorModel::Rgb}, {"HSV", ColorModel::Hsv}, {"HSL", ColorModel::Hsl}});
+}
+
+class CombineColorNode final : public ValueNode {
+public:
+    explicit CombineColorNode(const NodeOptions& options) : model_(model_option(options)) {}
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        out[0] = rgb_from(model_, three_numbers(in));
+    }
+
+private:
+    ColorModel model_;
+};
+
+class SeparateColorNode final : public ValueNode {
+public:
+    explicit SeparateColorNode(const NodeOptions& options) : model_(model_option(options)) {}
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        spread(parts_from(model_, in.color(0)), out);
+    }
+
+private:
+    ColorModel model_;
+};
+
+class ConstantColorNode final : public ValueNode {
+public:
+    explicit ConstantColorNode(const NodeOptions& options)
+        : value_(constant_option(options, V3f(0.5f)))
+    {
+    }
+
+    void evaluate(const NodeInputs& /*in*/, std::span<NodeValue> out) const override
+    {
+        out[0] = value_;
+    }
+
+private:
+    Color3f value_;
+};
+
+// A node of older Blenders has one model.
+template <ColorModel model>
+void combine(const NodeInputs& in, std::span<NodeValue> out)
+{
+    out[0] = rgb_from(model, three_numbers(in));
+}
+
+template <ColorModel model>
+void separate(const NodeInputs& in, std::span<NodeValue> out)
+{
+    spread(parts_from(model, in.color(0)), out);
+}
+
+void rgb_to_bw(const NodeInputs& in, std::span<NodeValue> out)
+{
+    out[0] = NodeValue(luminance(in.color(0)));
+}
+
+void blackbody(const NodeInputs& in, std::span<NodeValue> out)
+{
+    out[0] = rgb_of_blackbody(in.number(0));
+}
+
+void wavelength(const NodeInputs& in, std::span<NodeValue> out)
+{
+    out[0] = rgb_of_wavelength(in.number(0));
+}
+
+constexpr float default_grey = 0.8f;
+
+constexpr std::array color_in{color_socket("Color", default_grey)};
+constexpr std::array grey_in{color_socket("Color", 0.5f)};
+constexpr std::array image_in{color_socket("Image", default_grey)};
+constexpr std::array parts_in{number_socket("Red"), number_socket("Green"), number_socket("Blue")};
+constexpr std::array rgb_in{number_socket("R"), number_socket("G"), number_socket("B")};
+constexpr std::array hsv_in{number_socket("H"), number_socket("S"), number_socket("V")};
+constexpr std::array kelvin_in{number_socket("Temperature", 1500.0f)};
+constexpr std::array wavelength_in{number_socket("Wavelength", 500.0f)};
+
+constexpr std::array color_out{OutputSocket{"Color", Color}};
+constexpr std::array image_out{OutputSocket{"Image", Color}};
+constexpr std::array value_out{OutputSocket{"Val", Number}};
+constexpr std::array parts_out{OutputSocket{"Red", Number}, OutputSocket{"Green", Number},
+                               OutputSocket{"Blue", Number}};
+constexpr std::array rgb_out{OutputSocket{"R", Number}, OutputSocket{"G", Number},
+                             OutputSocket{"B", Number}};
+constexpr std::array hsv_out{OutputSocket{"H", Number}, OutputSocket{"S", Number},
+                             OutputSocket{"V", Number}};
+
+constexpr std::array<std::string_view, 1> mode_options{"mode"};
+constexpr std::array<std::string_view, 1> value_options{"value"};
+
+}  // namespace
+
+NodeType rgb_node()
+{
+    return converter("RGB", {}, color_out, make_from_options<ConstantColorNode>, value_options);
+}
+
+NodeType combine_color_node()
+{
+    return converter("COMBINE_COLOR", parts_in, color_out, make_from_options<CombineColorNode>,
+                     mode_options);
+}
+
+NodeType separate_color_node()
+{
+    return converter("SEPARATE_COLOR", color_in, parts_out, make_from_options<SeparateColorNode>,
+                     mode_options);
+}
+
+NodeType combine_rgb_node()
+{
+    return converter("COMBRGB", rgb_in, image_out, make_function_node<combine<ColorModel::Rgb>>);
+}
+
+NodeType separate_rgb_node()
+{
+    return converter("SEPRGB", image_in, rgb_out, make_function_node<separate<ColorModel::Rgb>>);
+}
+
+NodeType combine_hsv_node()
+{
+    return converter("COMBHSV", hsv_in, color_out, make_function_node<combine<ColorModel::Hsv>>);
+}
+
+NodeType separate_hsv_node()
+{
+    return converter("SEPHSV", color_in, hsv_out, make_function_node<separate<ColorModel::Hsv>>);
+}
+
+NodeType rgb_to_bw_node()
+{
+    return converter("RGBTOBW", grey_in, value_out, make_function_node<rgb_to_bw>);
+}
+
+NodeType blackbody_node()
+{
+    return converter("BLACKBODY", kelvin_in, color_out, make_function_node<blackbody>);
+}
+
+NodeType wavelength_node()
+{
+    return converter("WAVELENGTH", wavelength_in, color_out, make_function_node<wavelength>);
+}
+
+}  // namespace eye_render

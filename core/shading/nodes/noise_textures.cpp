@@ -1,0 +1,121 @@
+// Noise Texture and White Noise Texture.
+
+#include "shading/nodes/procedural_nodes.h"
+#include "shading/procedural/hash.h"
+#include "shading/procedural/noise.h"
+
+namespace eye_render {
+
+namespace {
+
+class NoiseNode final : public ValueNode {
+public:
+    enum Input : std::size_t {
+        Vector,
+        W,
+        Scale,
+        Detail,
+        Roughness,
+        Lacunarity,
+        Offset,
+        Gain,
+        Distortion
+    };
+    enum Output : std::size_t { Fac, Color };
+
+    explicit NoiseNode(const NodeOptions& options)
+        : dimensions_(dimensions_of(options, "noise_dimensions")),
+          type_(options.choice<FractalType>(
+              "noise_type",
+              {{"FBM", FractalType::Fbm},
+               {"MULTIFRACTAL", FractalType::Multifractal},
+               {"HYBRID_MULTIFRACTAL", FractalType::HybridMultifractal},
+               {"RIDGED_MULTIFRACTAL", FractalType::RidgedMultifractal},
+               {"HETERO_TERRAIN", FractalType::HeteroTerrain}})),
+          is_normalized_(options.is_set("normalize", true))
+    {}
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        const Noise noise{.fractal = {.type = type_,
+                                      .is_normalized = is_normalized_,
+                                      .detail = in.number(Detail),
+                                      .roughness = in.number(Roughness),
+                                      .lacunarity = in.number(Lacunarity),
+                                      .offset = in.number(Offset),
+                                      .gain = in.number(Gain)},
+                          .distortion = in.number(Distortion)};
+        const float scale = in.number(Scale);
+        if (in.wants(Color)) {
+            out[Color] = in_dimensions(dimensions_, in, Vector, W, [&](const auto& p) {
+                return noise_color(p * scale, noise);
+            });
+            out[Fac] = NodeValue(out[Color].x);
+        } else {
+            out[Fac] = NodeValue(in_dimensions(dimensions_, in, Vector, W, [&](const auto& p) {
+                return noise_value(p * scale, noise);
+            }));
+        }
+    }
+
+private:
+    int dimensions_;
+    FractalType type_;
+    bool is_normalized_;
+};
+
+class WhiteNoiseNode final : public ValueNode {
+public:
+    enum Input : std::size_t { Vector, W };
+    enum Output : std::size_t { Value, Color };
+
+    explicit WhiteNoiseNode(const NodeOptions& options)
+        : dimensions_(dimensions_of(options, "noise_dimensions"))
+    {}
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        out[Color] = in_dimensions(
+            dimensions_, in, Vector, W, [](const auto& p) { return random_color(p); });
+        out[Value] = NodeValue(out[Color].x);
+    }
+
+private:
+    int dimensions_;
+};
+
+}  // namespace
+
+NodeType noise_texture_node()
+{
+    static constexpr InputSocket inputs[] = {texture_vector,
+                                             {"W"},
+                                             {"Scale", SocketType::Number, NodeValue(5.0f)},
+                                             {"Detail", SocketType::Number, NodeValue(2.0f)},
+                                             {"Roughness", SocketType::Number, NodeValue(0.5f)},
+                                             {"Lacunarity", SocketType::Number, NodeValue(2.0f)},
+                                             {"Offset"},
+                                             {"Gain", SocketType::Number, NodeValue(1.0f)},
+                                             {"Distortion"}};
+    static constexpr OutputSocket outputs[] = {{"Fac"}, {"Color", SocketType::Color}};
+    static constexpr std::string_view options[] = {"noise_dimensions", "noise_type", "normalize"};
+    return {.name = "TEX_NOISE",
+            .inputs = inputs,
+            .outputs = outputs,
+            .options = options,
+            .make_value = make_texture<NoiseNode>};
+}
+
+NodeType white_noise_node()
+{
+    static constexpr InputSocket inputs[] = {texture_vector, {"W"}};
+    static constexpr OutputSocket outputs[] = {{"Value"}, {"Color", SocketType::Color}};
+    static constexpr std::string_view options[] = {"noise_dimensions"};
+    return {.name = "TEX_WHITE_NOISE",
+            .inputs = inputs,
+            .outputs = outputs,
+            .options = options,
+            .make_value = make_texture<WhiteNoiseNode>};
+}
+
+}  // namespace eye_render

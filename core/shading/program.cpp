@@ -1,0 +1,182 @@
+#include "shading/program.h"
+
+#include "shading/bump.h"
+#include "shading/nowhere.h"
+
+#include <algorithm>
+
+namespace eye_render {
+
+namespace {
+
+[[nodiscard]] NodeValue implicit_value(ImplicitInput implicit, const Hit& hit)
+{
+    switch (implicit) {
+    case ImplicitInput::Generated: return hit.attributes.generated();
+    case ImplicitInput::Uv: {
+        const V2f uv = hit.attributes.uv(HitAttributes::active_uv_layer);
+        return {uv.x, uv.y, 0.0f};
+    }
+    case ImplicitInput::Normal: return hit.point.ns;
+    case ImplicitInput::Position: return hit.attributes.position_world();
+    default: return NodeValue(0.0f);
+    }
+}
+
+}  // namespace
+
+float NodeInputs::number(std::size_t input) const { return run_.read(step_.inputs[input]).x; }
+
+V3f NodeInputs::vector(std::size_t input) const { return run_.read(step_.inputs[input]); }
+
+float NodeInputs::number_at(std::size_t input, const HitAttributes& attributes) const
+{
+    return run_.read_at(step_.inputs[input], attributes).x;
+}
+
+bool NodeInputs::wants(std::size_t output) const
+{
+    return ((step_.wanted_outputs >> output) & 1u) != 0;
+}
+
+const Hit& NodeInputs::hit() const { return run_.hit(); }
+
+ProgramRun::ProgramRun(const std::vector<ProgramStep>& steps, int value_count, const Hit& hit)
+    : steps_(steps), hit_(hit), value_count_(value_count), values_(usual_values_.data()),
+      is_done_(usual_done_.data())
+{
+    if (static_cast<std::size_t>(value_count) > usual_size) {
+        more_values_.resize(static_cast<std::size_t>(value_count));
+        values_ = more_values_.data();
+    }
+    if (steps.size() > usual_size) {
+        more_done_ = std::make_unique<bool[]>(steps.size());
+        is_done_ = more_done_.get();
+    } else {
+        std::fill_n(is_done_, steps.size(), false);
+    }
+}
+
+NodeValue ProgramRun::read(const ProgramInput& input)
+{
+    if (input.step != ProgramInput::none) {
+        if (!is_done_[input.step]) {
+            evaluate(input.step);
+        }
+        return converted(values_[input.value], input.conversion);
+    }
+    return input.implicit == ImplicitInput::None ? input.constant
+                                                 : implicit_value(input.implicit, hit_);
+}
+
+NodeValue ProgramRun::read_at(const ProgramInput& input, const HitAttributes& attributes) const
+{
+    ProgramRun elsewhere(steps_, value_count_,
+                         {.point = hit_.point, .attributes = attributes, .path = hit_.path});
+    return elsewhere.read(input);
+}
+
+float ProgramRun::weight(const ProgramLeaf& leaf)
+{
+    float weight = leaf.constant_weight;
+    for (const ProgramLeaf::Factor& factor : leaf.factors) {
+        const float value = read(factor.input).x;
+        // NaN counts as 0.
+        const float share = value > 0.0f ? std::min(value, 1.0f) : 0.0f;
+        weight *= factor.is_rest ? 1.0f - share : share;
+    }
+    return weight;
+}
+
+void ProgramRun::evaluate(int number)
+{
+    const ProgramStep& step = steps_[static_cast<std::size_t>(number)];
+    is_done_[number] = true;
+    step.node->evaluate(NodeInputs(*this, step),
+                        {values_ + step.first_value, static_cast<std::size_t>(step.value_count)});
+}
+
+V3f ShaderProgram::displaced_normal(const Hit& hit) const
+{
+    ProgramRun here(steps_, value_count_, hit);
+    const auto offsets = bump_offsets(hit.point, hit.attributes.position_world());
+    const float height = here.read(displacement_).dot(hit.point.ns);
+    V2f rise(0.0f);
+    for (int i = 0; i < 2; ++i) {
+        hit.attributes.moved(
+            offsets[static_cast<std::size_t>(i)], [&](const HitAttributes& there) {
+                rise[i] = here.read_at(displacement_, there).dot(hit.point.ns) - height;
+            });
+    }
+    return bumped_normal(hit.point.ns, offsets, rise);
+}
+
+ShadedPoint ShaderProgram::shade(const Hit& hit) const
+{
+    ShadingPoint point = hit.point;
+    if (has_displacement_) {
+        point.ns = displaced_normal(hit);
+    }
+    const Hit displaced{.point = point, .attributes = hit.attributes, .path = hit.path};
+    ProgramRun run(steps_, value_count_, displaced);
+    ShadedPoint shaded{.bsdf = Bsdf(point.wo, point.ng)};
+    for (const ProgramLeaf& leaf : leaves_) {
+        const float weight = run.weight(leaf);
+        if (weight > 0.0f) {
+            leaf.closure->shade(NodeInputs(run, leaf.step), weight, shaded);
+        }
+    }
+    return shaded;
+}
+
+Color3f ShaderProgram::straight_transmittance(const Hit& hit) const
+{
+    ProgramRun run(steps_, value_count_, hit);
+    Color3f sum(0.0f);
+    for (const ProgramLeaf& leaf : leaves_) {
+        if (!leaf.facts.may_be_transparent) {
+            continue;
+        }
+        const float weight = run.weight(leaf);
+        if (weight > 0.0f) {
+            sum += leaf.closure->straight_transmittance(NodeInputs(run, leaf.step)) * weight;
+        }
+    }
+    return sum;
+}
+
+Color3f ShaderProgram::emission(const Hit& hit) const
+{
+    ProgramRun run(steps_, value_count_, hit);
+    Color3f sum(0.0f);
+    for (const ProgramLeaf& leaf : leaves_) {
+        if (!leaf.facts.may_emit) {
+            continue;
+        }
+        const float weight = run.weight(leaf);
+        if (weight > 0.0f) {
+            sum += leaf.closure->emission(NodeInputs(run, leaf.step)) * weight;
+        }
+    }
+    return sum;
+}
+
+std::optional<Color3f> ShaderProgram::constant_emission() const
+{
+    Color3f sum(0.0f);
+    for (const ProgramLeaf& leaf : leaves_) {
+        if (!leaf.facts.may_emit) {
+            continue;
+        }
+        if (!leaf.factors.empty() ||
+            !std::ranges::all_of(leaf.step.inputs, &ProgramInput::is_constant)) {
+            return std::nullopt;
+        }
+        const Nowhere nowhere;
+        ProgramRun run(steps_, value_count_, nowhere.hit());
+        sum += leaf.closure->emission(NodeInputs(run, leaf.step)) * leaf.constant_weight;
+    }
+    return sum;
+}
+
+}  // namespace eye_render

@@ -1,0 +1,142 @@
+// A tree of shader nodes compiled for evaluation: what a material, the world or a lamp is made of.
+//
+// Mix and Add Shader are gone: each closure that can have any weight is a leaf with the product of
+// the mix factors on its way. Values are pulled by the leaves, so a leaf of zero weight costs its
+// factors alone.
+
+#pragma once
+
+#include "shading/node.h"
+#include "shading/node_graph.h"
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace eye_render {
+
+enum class Conversion : std::uint8_t { None, Splat, Mean, Luminance };
+
+[[nodiscard]] inline NodeValue converted(const NodeValue& value, Conversion conversion)
+{
+    switch (conversion) {
+    case Conversion::Splat: return NodeValue(value.x);
+    case Conversion::Mean: return NodeValue((value.x + value.y + value.z) / 3.0f);
+    case Conversion::Luminance: return NodeValue(luminance(Color3f(value)));
+    default: return value;
+    }
+}
+
+// Where one input gets its value.
+struct ProgramInput {
+    static constexpr int none = -1;
+
+    NodeValue constant{0.0f};
+    int step = none;   // the step that computes it
+    int value = none;  // its place among the values of a run
+    ImplicitInput implicit = ImplicitInput::None;
+    Conversion conversion = Conversion::None;
+
+    [[nodiscard]] bool is_constant() const
+    {
+        return step == none && implicit == ImplicitInput::None;
+    }
+};
+
+struct ProgramStep {
+    std::vector<ProgramInput> inputs;
+    std::shared_ptr<const ValueNode> node;  // none for a closure
+    int first_value = 0;
+    int value_count = 0;
+    std::uint32_t wanted_outputs = 0;  // one bit each
+};
+
+struct ProgramLeaf {
+    // A share of a mix: the factor, or what it leaves.
+    struct Factor {
+        ProgramInput input;
+        bool is_rest = false;
+    };
+    ProgramStep step;
+    std::shared_ptr<const ClosureNode> closure;
+    float constant_weight = 1.0f;
+    std::vector<Factor> factors;
+    ClosureFacts facts;
+};
+
+class ShaderProgram {
+public:
+    // Scatters nothing and emits nothing.
+    ShaderProgram() = default;
+
+    // Throws std::invalid_argument for a graph that runs in a circle, for an option out of range,
+    // or for more lobes than a mixture holds.
+    ShaderProgram(const NodeGraph& graph,
+                  const std::optional<NodeOutput>& surface,
+                  const std::optional<NodeOutput>& displacement,
+                  NodeResources& resources);
+
+    // All that scatters and shines at the hit.
+    [[nodiscard]] ShadedPoint shade(const Hit& hit) const;
+    // The part of light that passes straight through, without building the mixture.
+    [[nodiscard]] Color3f straight_transmittance(const Hit& hit) const;
+    // Radiance towards the viewer, without building the mixture.
+    [[nodiscard]] Color3f emission(const Hit& hit) const;
+
+    // True if light may pass straight through some point of the surface.
+    [[nodiscard]] bool may_be_transparent() const { return may_be_transparent_; }
+    [[nodiscard]] bool may_emit() const { return may_emit_; }
+    // What `emission` gives everywhere, if it is one thing.
+    [[nodiscard]] std::optional<Color3f> constant_emission() const;
+
+    [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
+    [[nodiscard]] std::size_t leaf_count() const { return leaves_.size(); }
+
+private:
+    friend class ProgramCompiler;  // fills it in
+
+    [[nodiscard]] V3f displaced_normal(const Hit& hit) const;
+
+    std::vector<ProgramStep> steps_;
+    std::vector<ProgramLeaf> leaves_;
+    ProgramInput displacement_;
+    bool has_displacement_ = false;
+    int value_count_ = 0;
+    bool may_be_transparent_ = false;
+    bool may_emit_ = false;
+};
+
+// One evaluation of a program: remembers what was computed. On the stack; as large as a usual
+// program needs, and larger on the heap.
+class ProgramRun {
+public:
+    ProgramRun(const std::vector<ProgramStep>& steps, int value_count, const Hit& hit);
+    ProgramRun(const ProgramRun&) = delete;
+    ProgramRun& operator=(const ProgramRun&) = delete;
+
+    [[nodiscard]] NodeValue read(const ProgramInput& input);
+    // The same of another place of the surface.
+    [[nodiscard]] NodeValue read_at(const ProgramInput& input,
+                                    const HitAttributes& attributes) const;
+    [[nodiscard]] float weight(const ProgramLeaf& leaf);
+    [[nodiscard]] const Hit& hit() const { return hit_; }
+
+private:
+    static constexpr std::size_t usual_size = 96;
+
+    void evaluate(int step);
+
+    const std::vector<ProgramStep>& steps_;
+    Hit hit_;
+    int value_count_;
+    NodeValue* values_;
+    bool* is_done_;  // one a step
+    std::array<bool, usual_size> usual_done_;
+    std::array<NodeValue, usual_size> usual_values_;  // not cleared: it would cost more
+    std::vector<NodeValue> more_values_;
+    std::unique_ptr<bool[]> more_done_;
+};
+
+}  // namespace eye_render
