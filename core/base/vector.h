@@ -10,6 +10,7 @@
 #include <Imath/ImathVec.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace eye_render {
 
@@ -28,6 +29,13 @@ using Color4f = Imath::Color4f;
 [[nodiscard]] inline float luminance(const Color3f& c)
 {
     return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;
+}
+
+// `v` at length 1, or `otherwise` where it has no direction.
+[[nodiscard]] inline V3f unit_or(const V3f& v, const V3f& otherwise)
+{
+    const float length = v.length();
+    return length > 0.0f && length <= std::numeric_limits<float>::max() ? v / length : otherwise;
 }
 
 [[nodiscard]] inline float max_component(const Color3f& c)
