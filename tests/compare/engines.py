@@ -1,0 +1,44 @@
+"""Sets a scene up so that Cycles and Eye Render should show the same. Inside Blender."""
+
+import bpy
+
+
+def set_up_cycles(scene: bpy.types.Scene, samples: int, bounces: int, seed: int) -> None:
+    """Plain path tracing: nothing filtered, denoised, adapted or left to a threshold. Clamping,
+    caustics and the pixel filter are the scene's own."""
+    scene.render.engine = "CYCLES"
+    cycles = scene.cycles
+    cycles.device, cycles.samples, cycles.seed = "CPU", samples, seed
+    cycles.use_adaptive_sampling = cycles.use_denoising = False
+    cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = bounces
+    cycles.transmission_bounces = cycles.volume_bounces = bounces
+    cycles.transparent_max_bounces = TRANSPARENT_BOUNCES
+    cycles.blur_glossy = cycles.light_sampling_threshold = 0.0
+
+
+def set_up_eye_render(scene: bpy.types.Scene, samples: int, bounces: int, seed: int) -> None:
+    """An emmetrope who sees through a pinhole."""
+    scene.render.engine = "EYE_RENDER"
+    settings = scene.eye_render
+    settings.quality, settings.samples = "CUSTOM", samples
+    settings.max_bounces, settings.seed = bounces, seed
+    observer = scene.camera.data.eye_render
+    observer.model, observer.pupil_mode = "PINHOLE", "MANUAL"
+    observer.right.text = observer.left.text = "0.00DS"
+    observer.correction, observer.focus_mode = "NONE", "RELAXED"
+
+
+TRANSPARENT_BOUNCES = 8
+
+SET_UP = {"CYCLES": set_up_cycles, "EYE_RENDER": set_up_eye_render}
+
+
+def forget_what_differs(scene: bpy.types.Scene) -> None:
+    """For scenes of others: all that makes Cycles approximate, and the lens."""
+    cycles = scene.cycles
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
+    cycles.caustics_reflective = cycles.caustics_refractive = True
+    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
+    cycles.film_exposure = 1.0
+    scene.camera.data.dof.use_dof = False
+    scene.render.use_motion_blur = False

@@ -1,0 +1,120 @@
+"""Renders feature scenes one after the other by one engine. Inside Blender:
+
+blender -b --factory-startup [--addons eye_render] --python render_features.py -- JOB.json
+
+JOB: {"engine", "glob", "only" (names, or null), "seeds", "samples" (a number, or null for the
+scene's own), "folder"}. The folder receives features.json (what matches the glob), for each scene and seed a
+float32 array of linear RGBA, and a line of records.jsonl when a scene begins and when it ends.
+"""
+
+import contextlib
+import io
+import json
+import re
+import resource
+import sys
+import time
+import traceback
+from pathlib import Path
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from compositing import show_pass  # noqa: E402
+from engines import SET_UP  # noqa: E402
+from features import Feature, matching  # noqa: E402
+
+SIZE_PX = 64
+_WARNING = re.compile(r"^Eye Render: warning: (.*)$", re.MULTILINE)
+
+
+class PeakMemory:
+    """The most memory that this process has had since this was made."""
+
+    def __init__(self):
+        with contextlib.suppress(OSError), open("/proc/self/clear_refs", "w") as clear:
+            clear.write("5")  # starts VmHWM anew
+
+    def mb(self) -> float:
+        with contextlib.suppress(OSError), open("/proc/self/status") as status:
+            for line in status:
+                if line.startswith("VmHWM:"):
+                    return int(line.split()[1]) / 1024
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+
+
+def prepare(scene: bpy.types.Scene) -> None:
+    scene.render.resolution_x = scene.render.resolution_y = SIZE_PX
+    scene.render.resolution_percentage = 100
+    cycles = scene.cycles
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
+    cycles.caustics_reflective = cycles.caustics_refractive = True
+    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
+    image = scene.render.image_settings
+    image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGBA", "32"
+
+
+def render(scene: bpy.types.Scene, exr: Path) -> np.ndarray:
+    """(height, width, 4), rows from the top."""
+    scene.render.filepath = str(exr)
+    bpy.ops.render.render(write_still=True)
+    return load(exr)
+
+
+def load(exr: Path) -> np.ndarray:
+    image = bpy.data.images.load(str(exr))
+    image.colorspace_settings.name = "Non-Color"
+    pixels = np.empty((image.size[1], image.size[0], 4), np.float32)
+    image.pixels.foreach_get(pixels.ravel())
+    bpy.data.images.remove(image)
+    return pixels[::-1]
+
+
+def show(feature: Feature, job: dict, folder: Path) -> dict:
+    """Renders the scene with each seed; gives what to record."""
+    bpy.ops.wm.read_homefile(use_factory_startup=True, use_empty=True)
+    scene = bpy.context.scene
+    prepare(scene)
+    feature.build()
+    said = io.StringIO()
+    seconds = []
+    memory = PeakMemory()
+    for seed in job["seeds"]:
+        samples = job["samples"] or feature.samples
+        SET_UP[job["engine"]](scene, samples, feature.bounces, seed)
+        if feature.shows_pass:
+            show_pass(scene, *feature.shows_pass)
+        start = time.monotonic()
+        with contextlib.redirect_stdout(said):
+            picture = render(scene, folder / "picture.exr")
+        seconds.append(time.monotonic() - start)
+        np.save(folder / f"{feature.name.replace('/', '.')}.{seed}.npy", picture)
+    return {
+        "seconds": sum(seconds) / len(seconds),
+        "peak_mb": memory.mb(),
+        "warnings": sorted(set(_WARNING.findall(said.getvalue()))),
+    }
+
+
+def main(job: dict) -> None:
+    folder = Path(job["folder"])
+    features = matching(job["glob"], bpy.app.version[:2])
+    (folder / "features.json").write_text(json.dumps([f.facts() for f in features]))
+    with (folder / "records.jsonl").open("a") as records:
+
+        def record(**facts) -> None:
+            print(json.dumps(facts), file=records, flush=True)
+
+        for feature in features:
+            if job["only"] is not None and feature.name not in job["only"]:
+                continue
+            record(begin=feature.name)
+            try:
+                record(end=feature.name, **show(feature, job, folder))
+            except Exception as error:
+                traceback.print_exc()
+                record(end=feature.name, error=f"{type(error).__name__}: {error}".strip())
+
+
+main(json.loads(Path(sys.argv[sys.argv.index("--") + 1]).read_text()))

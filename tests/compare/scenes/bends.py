@@ -1,0 +1,151 @@
+"""What bends the normal: normal maps, bumps, bevels and displacement."""
+
+import bpy
+import numpy as np
+from features import feature
+from stage import (
+    BALL_CENTRE, BALL_RADIUS, add, at, ball, ball_mesh, cube_mesh, diffuse, dressed, new_tree,
+    outdoors,
+)  # fmt: skip
+from tree import Tree, out
+
+PAINT = (0.6, 0.6, 0.5)
+
+
+def bumped_ball(bend) -> bpy.types.Object:
+    """A diffuse ball with the normal that `bend` gives."""
+    tree = new_tree()
+    tree.surface("BsdfDiffuse", {"Color": PAINT, "Roughness": 0.0, "Normal": bend(tree)})
+    return ball(tree.datablock)
+
+
+def bumps(tree: Tree, scale: float = 5.0):
+    inputs = {"Vector": out(tree.node("TexCoord"), "Object"), "Scale": scale, "Detail": 0.0}
+    return out(tree.node("TexNoise", inputs), "Fac")
+
+
+@feature()
+def bump():
+    """Bump by noise"""
+    bumped_ball(lambda t: t.node("Bump", {"Height": bumps(t), "Strength": 0.8, "Distance": 0.3}))
+
+
+@feature()
+def bump_inverted():
+    """Bump inwards, on glossy"""
+    tree = new_tree()
+    node = tree.node("Bump", {"Height": bumps(tree), "Strength": 0.5, "Distance": 0.2})
+    node.invert = True
+    tree.surface("BsdfAnisotropic", {"Color": PAINT, "Roughness": 0.5, "Normal": node})
+    ball(tree.datablock)
+
+
+@feature()
+def bump_on_bump():
+    """A bump on the normal of another"""
+
+    def bend(tree: Tree):
+        coarse = tree.node("Bump", {"Height": bumps(tree, 3.0), "Distance": 0.3})
+        fine = {"Height": bumps(tree, 14.0), "Distance": 0.06, "Normal": coarse}
+        return tree.node("Bump", fine)
+
+    bumped_ball(bend)
+
+
+@feature()
+def displacement_bump():
+    """Displacement as a bump"""
+    tree = new_tree()
+    tree.surface("BsdfDiffuse", {"Color": PAINT, "Roughness": 0.0})
+    inputs = {"Height": bumps(tree), "Midlevel": 0.5, "Scale": 0.3}
+    tree.set(tree.output, "Displacement", tree.node("Displacement", inputs))
+    ball(tree.datablock)
+
+
+def slanted_picture() -> bpy.types.Image:
+    """A normal map of 8 x 8 cells, each slanted another way."""
+    slopes = np.random.default_rng(3).uniform(-0.6, 0.6, (8, 8, 2))
+    normals = np.dstack([slopes, np.ones((8, 8))])
+    normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
+    pixels = np.ones((8, 8, 4), np.float32)
+    pixels[..., :3] = normals * 0.5 + 0.5
+    image = bpy.data.images.new("Normals", 8, 8, float_buffer=True)
+    image.colorspace_settings.name = "Non-Color"
+    image.pixels.foreach_set(pixels.ravel())
+    image.pack()
+    return image
+
+
+def normal_map(space: str, strength: float = 1.0):
+    def bend(tree: Tree):
+        picture = tree.node("TexImage", interpolation="Closest")
+        picture.image = slanted_picture()
+        inputs = {"Color": out(picture, "Color"), "Strength": strength}
+        return tree.node("NormalMap", inputs, space=space)
+
+    return bend
+
+
+@feature()
+def normal_map_tangent():
+    """A normal map in tangent space"""
+    bumped_ball(normal_map("TANGENT", 0.8))
+
+
+@feature()
+def normal_map_object():
+    """A normal map in the space of an object that is turned"""
+    bumped_ball(normal_map("OBJECT")).rotation_euler = (0.9, 0.2, 0.4)
+
+
+@feature()
+def normal_map_world():
+    """A normal map in world space"""
+    bumped_ball(normal_map("WORLD"))
+
+
+@feature(samples=512)
+def bevel():
+    """Bevel as the normal of a cube's rounded edges"""
+    tree = new_tree()
+    node = tree.node("Bevel", {"Radius": 0.15}, samples=8)
+    tree.surface("BsdfAnisotropic", {"Color": PAINT, "Roughness": 0.5, "Normal": node})
+    outdoors()
+    shown = add(dressed(cube_mesh(1.2), tree.datablock), (0, 0, 0.6))
+    shown.rotation_euler = (0, 0, 0.7)
+
+
+@feature()
+def custom_normals():
+    """Split normals that the mesh brings along"""
+    outdoors()
+    mesh = dressed(cube_mesh(1.2), diffuse(PAINT))
+    mesh.polygons.foreach_set("use_smooth", np.ones(6, bool))
+    if hasattr(mesh, "use_auto_smooth"):
+        mesh.use_auto_smooth = True
+    corners = np.array([mesh.vertices[loop.vertex_index].co for loop in mesh.loops])
+    mesh.normals_split_custom_set(corners / np.linalg.norm(corners, axis=1, keepdims=True))
+    add(mesh, (0, 0, 0.6)).rotation_euler = (0, 0, 0.7)
+
+
+@feature()
+def flat_shading():
+    """A ball of few flat faces"""
+    outdoors()
+    mesh = dressed(ball_mesh(segments=16, rings=8), diffuse(PAINT))
+    mesh.polygons.foreach_set("use_smooth", np.zeros(len(mesh.polygons), bool))
+    add(mesh, BALL_CENTRE)
+
+
+@feature(threshold=0.04)
+def coarse_smooth():
+    """A ball of few smooth faces, where light turns the corner"""
+    outdoors()
+    add(dressed(ball_mesh(segments=16, rings=8), diffuse(PAINT)), BALL_CENTRE)
+
+
+@feature()
+def bump_of_a_scaled_object():
+    """The bump of an object that is half as wide as high"""
+    shown = bumped_ball(lambda tree: tree.node("Bump", {"Height": bumps(tree), "Distance": 0.3}))
+    shown.matrix_world = at((0, 0, BALL_RADIUS)) @ shown.matrix_world.Diagonal((0.5, 0.7, 1, 1))
