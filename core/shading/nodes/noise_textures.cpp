@@ -33,7 +33,8 @@ public:
                {"RIDGED_MULTIFRACTAL", FractalType::RidgedMultifractal},
                {"HETERO_TERRAIN", FractalType::HeteroTerrain}})),
           is_normalized_(options.is_set("normalize", true))
-    {}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -71,12 +72,13 @@ public:
 
     explicit WhiteNoiseNode(const NodeOptions& options)
         : dimensions_(dimensions_of(options, "noise_dimensions"))
-    {}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
-        out[Color] = in_dimensions(
-            dimensions_, in, Vector, W, [](const auto& p) { return random_color(p); });
+        out[Color] = in_dimensions(dimensions_, in, Vector, W,
+                                   [](const auto& p) { return random_color(p); });
         out[Value] = NodeValue(out[Color].x);
     }
 

@@ -18,16 +18,22 @@ constexpr InputSocket color1{"Color1", SocketType::Color, NodeValue(0.8f)};
 constexpr InputSocket color2{"Color2", SocketType::Color, NodeValue(0.2f)};
 constexpr InputSocket texture_scale{"Scale", SocketType::Number, NodeValue(5.0f)};
 
-[[nodiscard]] float number_in_range(
-    const NodeOptions& options, const char* name, double otherwise, double lowest, double highest)
+[[nodiscard]] float number_in_range(const NodeOptions& options,
+                                    const char* name,
+                                    double otherwise,
+                                    double lowest,
+                                    double highest)
 {
     const double value = options.number(name, otherwise);
     require_range(name, value, lowest, highest, "");
     return static_cast<float>(value);
 }
 
-[[nodiscard]] int integer_in_range(
-    const NodeOptions& options, const char* name, double otherwise, double lowest, double highest)
+[[nodiscard]] int integer_in_range(const NodeOptions& options,
+                                   const char* name,
+                                   double otherwise,
+                                   double lowest,
+                                   double highest)
 {
     return static_cast<int>(number_in_range(options, name, otherwise, lowest, highest));
 }
@@ -46,15 +52,18 @@ public:
     enum Output : std::size_t { Color, Fac };
 
     explicit WaveNode(const NodeOptions& options)
-        : type_(options.choice<WaveType>("wave_type",
-                                         {{"BANDS", WaveType::Bands}, {"RINGS", WaveType::Rings}})),
-          direction_(type_ == WaveType::Bands ? direction(options, "bands_direction", "DIAGONAL")
-                                              : direction(options, "rings_direction", "SPHERICAL")),
+        : type_(
+              options.choice<WaveType>("wave_type",
+                                       {{"BANDS", WaveType::Bands}, {"RINGS", WaveType::Rings}})),
+          direction_(type_ == WaveType::Bands
+                         ? direction(options, "bands_direction", "DIAGONAL")
+                         : direction(options, "rings_direction", "SPHERICAL")),
           profile_(options.choice<WaveProfile>("wave_profile",
                                                {{"SIN", WaveProfile::Sine},
                                                 {"SAW", WaveProfile::Saw},
                                                 {"TRI", WaveProfile::Triangle}}))
-    {}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -75,11 +84,10 @@ private:
                                                  const char* name,
                                                  const char* all)
     {
-        return options.choice<WaveDirection>(name,
-                                             {{"X", WaveDirection::X},
-                                              {"Y", WaveDirection::Y},
-                                              {"Z", WaveDirection::Z},
-                                              {all, WaveDirection::All}});
+        return options.choice<WaveDirection>(name, {{"X", WaveDirection::X},
+                                                    {"Y", WaveDirection::Y},
+                                                    {"Z", WaveDirection::Z},
+                                                    {all, WaveDirection::All}});
     }
 
     WaveType type_;
@@ -94,7 +102,8 @@ public:
 
     explicit MagicNode(const NodeOptions& options)
         : depth_(integer_in_range(options, "turbulence_depth", 2.0, 0.0, 10.0))
-    {}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -125,11 +134,13 @@ public:
     enum Output : std::size_t { Color, Fac };
 
     explicit BrickNode(const NodeOptions& options)
-        : layout_{.offset = number_in_range(options, "offset", 0.5, 0.0, 1.0),
-                  .offset_frequency = integer_in_range(options, "offset_frequency", 2.0, 1.0, 99.0),
-                  .squash = number_in_range(options, "squash", 1.0, 0.0, 99.0),
-                  .squash_frequency = integer_in_range(options, "squash_frequency", 2.0, 1.0, 99.0)}
-    {}
+        : layout_{
+              .offset = number_in_range(options, "offset", 0.5, 0.0, 1.0),
+              .offset_frequency = integer_in_range(options, "offset_frequency", 2.0, 1.0, 99.0),
+              .squash = number_in_range(options, "squash", 1.0, 0.0, 99.0),
+              .squash_frequency = integer_in_range(options, "squash_frequency", 2.0, 1.0, 99.0)}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -182,7 +193,8 @@ public:
                                               {"SPHERICAL", GradientType::Spherical},
                                               {"QUADRATIC_SPHERE", GradientType::QuadraticSphere},
                                               {"RADIAL", GradientType::Radial}}))
-    {}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -205,8 +217,8 @@ NodeType wave_texture_node()
         {"Detail Scale", SocketType::Number, NodeValue(1.0f)},
         {"Detail Roughness", SocketType::Number, NodeValue(0.5f)},
         {"Phase Offset"}};
-    static constexpr std::string_view options[] = {
-        "wave_type", "bands_direction", "rings_direction", "wave_profile"};
+    static constexpr std::string_view options[] = {"wave_type", "bands_direction",
+                                                   "rings_direction", "wave_profile"};
     return {.name = "TEX_WAVE",
             .inputs = inputs,
             .outputs = color_and_fac,
@@ -239,8 +251,8 @@ NodeType brick_texture_node()
         {"Bias"},
         {"Brick Width", SocketType::Number, NodeValue(0.5f)},
         {"Row Height", SocketType::Number, NodeValue(0.25f)}};
-    static constexpr std::string_view options[] = {
-        "offset", "offset_frequency", "squash", "squash_frequency"};
+    static constexpr std::string_view options[] = {"offset", "offset_frequency", "squash",
+                                                   "squash_frequency"};
     return {.name = "TEX_BRICK",
             .inputs = inputs,
             .outputs = color_and_fac,

@@ -10,8 +10,8 @@
 namespace eye_render {
 
 // Where the texture is looked up: Blender's generated coordinates unless linked.
-inline constexpr InputSocket texture_vector{
-    "Vector", SocketType::Vector, NodeValue(0.0f), ImplicitInput::Generated};
+inline constexpr InputSocket texture_vector{"Vector", SocketType::Vector, NodeValue(0.0f),
+                                            ImplicitInput::Generated};
 
 inline constexpr OutputSocket color_and_fac[] = {{"Color", SocketType::Color}, {"Fac"}};
 

@@ -37,7 +37,8 @@ public:
                                                  {"CHEBYCHEV", VoronoiMetric::Chebychev},
                                                  {"MINKOWSKI", VoronoiMetric::Minkowski}})),
           is_normalized_(options.is_set("normalize", false))
-    {}
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -52,9 +53,8 @@ public:
                               .lacunarity = in.number(Lacunarity),
                               .smoothness = in.number(Smoothness)};
         const VoronoiAnswer answer =
-            in_dimensions(dimensions_, in, Vector, WIn, [&](const auto& p) {
-                return voronoi_texture(p, voronoi);
-            });
+            in_dimensions(dimensions_, in, Vector, WIn,
+                          [&](const auto& p) { return voronoi_texture(p, voronoi); });
         out[Distance] = NodeValue(answer.distance);
         out[Color] = answer.color;
         out[Position] = answer.position;
@@ -87,8 +87,8 @@ NodeType voronoi_texture_node()
                                                {"Position", SocketType::Vector},
                                                {"W"},
                                                {"Radius"}};
-    static constexpr std::string_view options[] = {
-        "voronoi_dimensions", "feature", "distance", "normalize"};
+    static constexpr std::string_view options[] = {"voronoi_dimensions", "feature", "distance",
+                                                   "normalize"};
     return {.name = "TEX_VORONOI",
             .inputs = inputs,
             .outputs = outputs,

@@ -44,8 +44,7 @@ BrickAnswer brick_texture(const V3f& p, const Brick& brick)
         std::min(std::min(x, y), std::min(width - x, brick.row_height - y));
     const std::uint32_t number =
         (static_cast<std::uint32_t>(row) << 16) + (static_cast<std::uint32_t>(column) & 0xffffu);
-    return {unit_range(random_tint(number) + brick.bias),
-            mortar_at(edge_distance, brick)};
+    return {unit_range(random_tint(number) + brick.bias), mortar_at(edge_distance, brick)};
 }
 
 }  // namespace eye_render

@@ -6,10 +6,7 @@ namespace eye_render {
 namespace {
 
 // Whole coordinates, which modelled faces often have, are moved off the border.
-[[nodiscard]] bool is_odd(float x)
-{
-    return (floor_to_int((x + 0.000001f) * 0.999999f) & 1) != 0;
-}
+[[nodiscard]] bool is_odd(float x) { return (floor_to_int((x + 0.000001f) * 0.999999f) & 1) != 0; }
 
 }  // namespace
 

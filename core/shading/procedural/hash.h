@@ -145,10 +145,8 @@ template <int D>
 template <>
 [[nodiscard]] inline Point<4> random_point(const Point<4>& p)
 {
-    return {{unit_hash(p[0], p[1], p[2], p[3]),
-             unit_hash(p[3], p[0], p[1], p[2]),
-             unit_hash(p[2], p[3], p[0], p[1]),
-             unit_hash(p[1], p[2], p[3], p[0])}};
+    return {{unit_hash(p[0], p[1], p[2], p[3]), unit_hash(p[3], p[0], p[1], p[2]),
+             unit_hash(p[2], p[3], p[0], p[1]), unit_hash(p[1], p[2], p[3], p[0])}};
 }
 
 template <int D>
@@ -160,8 +158,7 @@ template <int D>
 template <>
 [[nodiscard]] inline V3f random_color(const Point<4>& p)
 {
-    return {unit_hash(p[0], p[1], p[2], p[3]),
-            unit_hash(p[2], p[0], p[3], p[1]),
+    return {unit_hash(p[0], p[1], p[2], p[3]), unit_hash(p[2], p[0], p[3], p[1]),
             unit_hash(p[3], p[2], p[1], p[0])};
 }
 

@@ -52,8 +52,8 @@ Color3f magic_texture(const V3f& p, float scale, int depth, float distortion)
     }
     for (int i = 0; i < depth && i < static_cast<int>(folds.size()); ++i) {
         const Fold& fold = folds[static_cast<std::size_t>(i)];
-        const float phase = fold.signs.x * channels.x + fold.signs.y * channels.y +
-                            fold.signs.z * channels.z;
+        const float phase =
+            fold.signs.x * channels.x + fold.signs.y * channels.y + fold.signs.z * channels.z;
         const float folded = fold.function == Function::Sine ? std::sin(phase) : std::cos(phase);
         channels[fold.channel] = fold.sign * folded * distortion;
     }

@@ -57,8 +57,7 @@ V3f noise_color(const Point<D>& p, const Noise& noise)
 {
     const Fractal fractal = with_roughness_not_negative(noise.fractal);
     const Point<D> place = distorted(p, noise.distortion);
-    return {fractal_noise(place, fractal),
-            fractal_noise(place + offsets_of_seeds<D>[D], fractal),
+    return {fractal_noise(place, fractal), fractal_noise(place + offsets_of_seeds<D>[D], fractal),
             fractal_noise(place + offsets_of_seeds<D>[D + 1], fractal)};
 }
 

@@ -12,8 +12,8 @@ namespace {
 // Shading Language.
 constexpr std::array<float, 4> scale_of_dimension{0.25f, 0.6616f, 0.982f, 0.8344f};
 
-// The gradients of a cell's corners, chosen by the lowest digits of the corner's hash: tables, since
-// a processor cannot guess where branches on a hash go.
+// The gradients of a cell's corners, chosen by the lowest digits of the corner's hash: tables,
+// since a processor cannot guess where branches on a hash go.
 constexpr std::array<Point<1>, 16> gradients(Point<1> /*dimension*/)
 {
     std::array<Point<1>, 16> result;
@@ -26,14 +26,8 @@ constexpr std::array<Point<1>, 16> gradients(Point<1> /*dimension*/)
 
 constexpr std::array<Point<2>, 8> gradients(Point<2> /*dimension*/)
 {
-    return {{{{1, 2}},
-             {{-1, 2}},
-             {{1, -2}},
-             {{-1, -2}},
-             {{2, 1}},
-             {{2, -1}},
-             {{-2, 1}},
-             {{-2, -1}}}};
+    return {
+        {{{1, 2}}, {{-1, 2}}, {{1, -2}}, {{-1, -2}}, {{2, 1}}, {{2, -1}}, {{-2, 1}}, {{-2, -1}}}};
 }
 
 // To the middles of a cube's edges, four of them twice.
@@ -116,8 +110,8 @@ std::array<std::uint32_t, corners> hashes_of(
 template <int D>
 float perlin_noise(const Point<D>& p)
 {
-    // The corners of a cell are counted in binary, x being the lowest digit. Their hashes come from
-    // one plain loop, which compilers turn into vector instructions.
+    // The corners of a cell are counted in binary, x being the lowest digit. Their hashes come
+    // from one plain loop, which compilers turn into vector instructions.
     constexpr std::size_t corners = 1u << D;
     std::array<std::array<std::uint32_t, corners>, D> cells;
     std::array<std::array<float, corners>, D> offsets;
@@ -129,7 +123,8 @@ float perlin_noise(const Point<D>& p)
         local[axis] = x - static_cast<float>(cell);
         for (std::size_t corner = 0; corner < corners; ++corner) {
             const std::size_t side = (corner >> axis) & 1u;
-            cells[axis][corner] = static_cast<std::uint32_t>(cell) + static_cast<std::uint32_t>(side);
+            cells[axis][corner] =
+                static_cast<std::uint32_t>(cell) + static_cast<std::uint32_t>(side);
             offsets[axis][corner] = local[axis] - static_cast<float>(side);
         }
     }

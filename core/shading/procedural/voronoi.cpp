@@ -142,11 +142,8 @@ template <int D>
 VoronoiAnswer voronoi_texture(const Point<D>& p, const Voronoi& voronoi)
 {
     const VoronoiAnswer answer = answer_to(p, voronoi);
-    return {finite(answer.distance),
-            finite(answer.color),
-            finite(answer.position),
-            finite(answer.w),
-            finite(answer.radius)};
+    return {finite(answer.distance), finite(answer.color), finite(answer.position),
+            finite(answer.w), finite(answer.radius)};
 }
 
 template VoronoiAnswer voronoi_texture(const Point<1>& p, const Voronoi& voronoi);

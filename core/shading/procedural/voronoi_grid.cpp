@@ -94,11 +94,9 @@ VoronoiPoint<D> VoronoiGrid<D>::f1(const Point<D>& p) const
 {
     const CellPlace<D> place(p);
     const VoronoiNeighbourhood<D, 1> around(place, randomness);
-    const Nearest nearest(with_length(*this, [&](const auto& length_of) {
-        return around.distances(place.local, length_of);
-    }));
-    return {nearest.distance,
-            random_color(place.cell + around.cell(nearest.index)),
+    const Nearest nearest(with_length(
+        *this, [&](const auto& length_of) { return around.distances(place.local, length_of); }));
+    return {nearest.distance, random_color(place.cell + around.cell(nearest.index)),
             around.point(nearest.index) + place.cell};
 }
 
@@ -107,13 +105,11 @@ VoronoiPoint<D> VoronoiGrid<D>::f2(const Point<D>& p) const
 {
     const CellPlace<D> place(p);
     const VoronoiNeighbourhood<D, 1> around(place, randomness);
-    auto distances = with_length(*this, [&](const auto& length_of) {
-        return around.distances(place.local, length_of);
-    });
+    auto distances = with_length(
+        *this, [&](const auto& length_of) { return around.distances(place.local, length_of); });
     distances[Nearest(distances).index] = nothing_found;
     const Nearest second(distances);
-    return {second.distance,
-            random_color(place.cell + around.cell(second.index)),
+    return {second.distance, random_color(place.cell + around.cell(second.index)),
             around.point(second.index) + place.cell};
 }
 
@@ -122,9 +118,8 @@ VoronoiPoint<D> VoronoiGrid<D>::smooth_f1(const Point<D>& p, float smoothing) co
 {
     const CellPlace<D> place(p);
     const VoronoiNeighbourhood<D, 2> around(place, randomness);
-    const auto distances = with_length(*this, [&](const auto& length_of) {
-        return around.distances(place.local, length_of);
-    });
+    const auto distances = with_length(
+        *this, [&](const auto& length_of) { return around.distances(place.local, length_of); });
     VoronoiPoint<D> smooth;
     for (std::size_t i = 0; i < around.size; ++i) {
         const float nearer = 0.5f + 0.5f * (smooth.distance - distances[i]) / smoothing;
@@ -135,8 +130,7 @@ VoronoiPoint<D> VoronoiGrid<D>::smooth_f1(const Point<D>& p, float smoothing) co
             const V3f color = random_color(place.cell + around.cell(i));
             smooth.distance = blend(smooth.distance, distances[i], t) - correction;
             smooth.color = blend(smooth.color, color, t) - V3f(shift);
-            smooth.position =
-                blend(smooth.position, around.point(i), t) - all_axes<D>(shift);
+            smooth.position = blend(smooth.position, around.point(i), t) - all_axes<D>(shift);
         }
     }
     smooth.position = place.cell + smooth.position;
@@ -149,8 +143,10 @@ float VoronoiGrid<D>::distance_to_edge(const Point<D>& p) const
     const CellPlace<D> place(p);
     const VoronoiNeighbourhood<D, 1> around(place, randomness);
     if constexpr (D == 1) {  // the neighbours are known without a search
-        const float left = (around.point(1)[0] + around.point(0)[0]) / 2.0f;
-        const float right = (around.point(1)[0] + around.point(2)[0]) / 2.0f;
+        // As Blender, which tells cell -0 from cell 0 here alone.
+        const float own = random_value(place.cell) * randomness;
+        const float left = (own + around.point(0)[0]) / 2.0f;
+        const float right = (own + around.point(2)[0]) / 2.0f;
         return std::min(std::abs(left - place.local[0]), std::abs(right - place.local[0]));
     }
     // Points closer together than this, squared, have no border that floats can tell.

@@ -48,14 +48,14 @@ float wave_texture(const V3f& p, const Wave& wave)
 {
     // Whole coordinates are moved off the steps of the saw.
     const V3f place = (p + V3f(0.000001f)) * 0.999999f;
-    float phase = wave.type == WaveType::Bands ? bands(place, wave.direction)
-                                               : rings(place, wave.direction);
+    float phase =
+        wave.type == WaveType::Bands ? bands(place, wave.direction) : rings(place, wave.direction);
     phase += wave.phase_offset;
     if (wave.distortion != 0.0f) {
         const V3f noise_place = place * wave.detail_scale;
-        const float noise = fractal_noise(Point<3>{{noise_place.x, noise_place.y, noise_place.z}},
-                                          {.detail = wave.detail,
-                                           .roughness = wave.detail_roughness});
+        const float noise =
+            fractal_noise(Point<3>{{noise_place.x, noise_place.y, noise_place.z}},
+                          {.detail = wave.detail, .roughness = wave.detail_roughness});
         phase += wave.distortion * (noise * 2.0f - 1.0f);
     }
     return finite(profile(phase, wave.profile));
