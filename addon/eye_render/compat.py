@@ -1,6 +1,7 @@
 """What differs between Blender 3.4 and 5.2, and nothing else looks at versions."""
 
 import math
+import re
 
 import bpy
 import numpy as np
@@ -21,6 +22,20 @@ def inline_shader_nodes(datablock: bpy.types.ID) -> object:
     if hasattr(datablock, "inline_shader_nodes"):
         return datablock.inline_shader_nodes()
     return datablock
+
+
+def node_name(node: bpy.types.Node) -> str:
+    """The name that the user gave; Blender numbers the nodes of trees that it flattens."""
+    if hasattr(bpy.types.Material, "inline_shader_nodes"):
+        return re.sub(r"^\d+_", "", node.name)
+    return node.name
+
+
+def displacement_method(material: bpy.types.Material) -> str:
+    """BUMP, DISPLACEMENT or BOTH."""
+    if hasattr(material, "displacement_method"):  # from Blender 4.1
+        return material.displacement_method
+    return getattr(getattr(material, "cycles", None), "displacement_method", "BUMP")
 
 
 def world_of(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bpy.types.World | None:

@@ -1,9 +1,11 @@
 """Building blocks of test scenes, and a scene of the core that writes down what it is told."""
 
 from types import SimpleNamespace
+from typing import NamedTuple
 
 import bpy
 import numpy as np
+from eye_render import core
 
 
 def add_object(data: bpy.types.ID | None, name: str = "Object") -> bpy.types.Object:
@@ -66,6 +68,12 @@ def surface(datablock: bpy.types.ID, kind: str, **settings) -> bpy.types.Node:
     return node
 
 
+def add_group_socket(tree: bpy.types.NodeTree, in_out: str, kind: str, name: str) -> object:
+    if hasattr(tree, "interface"):  # from Blender 4.0
+        return tree.interface.new_socket(name, in_out=in_out, socket_type=kind)
+    return (tree.inputs if in_out == "INPUT" else tree.outputs).new(kind, name)
+
+
 def emitter(color: tuple[float, float, float], name: str = "Glow") -> bpy.types.Material:
     material = node_material(name)
     node = surface(material, "ShaderNodeEmission")
@@ -82,10 +90,43 @@ def write_multilayer(scene: bpy.types.Scene, path: str) -> None:
     scene.render.filepath = path
 
 
+class RecordingSocket(NamedTuple):
+    node: "RecordingNode"
+    identifier: str
+
+
+class RecordingNode:
+    def __init__(self, kind: str, options: dict[str, object]):
+        self.kind, self.options, self.inputs = kind, options, {}
+        self._type = core.module.NODE_TYPES[kind]
+        assert options.keys() <= set(self._type["options"])
+
+    def set(self, identifier: str, value: object) -> None:
+        assert identifier in self._type["inputs"]
+        self.inputs[identifier] = value
+
+    def __getitem__(self, identifier: str) -> RecordingSocket:
+        assert identifier in self._type["outputs"]
+        return RecordingSocket(self, identifier)
+
+
+class RecordingGraph:
+    """Stands where the core's graph stands, knows what the core knows, and keeps every node."""
+
+    def __init__(self):
+        self.nodes: list[RecordingNode] = []
+
+    def add(self, kind: str, inputs: dict[str, object] | None = None, **options) -> RecordingNode:
+        self.nodes.append(RecordingNode(kind, options))
+        for identifier, value in (inputs or {}).items():
+            self.nodes[-1].set(identifier, value)
+        return self.nodes[-1]
+
+
 class RecordingScene:
     """Stands where the core's scene stands, and keeps every argument."""
 
-    def __init__(self, uv_layers: list[str] = (), color_attributes: list[str] = ()):
+    def __init__(self, uv_layers: list[str] = (), attributes: list[str] = ()):
         self.meshes: list[SimpleNamespace] = []
         self.instances: list[SimpleNamespace] = []
         self.materials: list[SimpleNamespace] = []
@@ -93,13 +134,13 @@ class RecordingScene:
         self.textures: list[SimpleNamespace] = []
         self.world = self.camera = None
         self._uv_layers = list(uv_layers)
-        self._color_attributes = list(color_attributes)
+        self._attributes = list(attributes)
 
     def uv_layers_read(self, _material_ids):
         return self._uv_layers
 
-    def color_attributes_read(self, _material_ids):
-        return self._color_attributes
+    def attributes_read(self, _material_ids):
+        return self._attributes
 
     def add_mesh(self, name, positions, triangles, **rest):
         self.meshes.append(
@@ -107,15 +148,22 @@ class RecordingScene:
         )
         return len(self.meshes) - 1
 
-    def add_instances(self, mesh, world_from_object, materials):
+    def add_instances(self, mesh, world_from_object, materials, **look):
         self.instances.append(
             SimpleNamespace(
-                mesh=mesh, world_from_object=np.array(world_from_object), materials=materials
+                mesh=mesh,
+                world_from_object=np.array(world_from_object),
+                materials=materials,
+                **look,
             )
         )
 
-    def add_material(self, name, surface, **inputs):
-        self.materials.append(SimpleNamespace(name=name, surface=surface, inputs=inputs))
+    def add_material(self, name, surface=None, displacement=None, pass_index=0):
+        self.materials.append(
+            SimpleNamespace(
+                name=name, surface=surface, displacement=displacement, pass_index=pass_index
+            )
+        )
         return len(self.materials) - 1
 
     def add_light(self, name, kind, world_from_light, color, **rest):
@@ -133,8 +181,8 @@ class RecordingScene:
         self.textures.append(SimpleNamespace(path=None, name=name, pixels=pixels, **how))
         return len(self.textures) - 1
 
-    def set_world(self, **settings):
-        self.world = SimpleNamespace(**settings)
+    def set_world(self, surface):
+        self.world = surface
 
     def set_camera(self, world_from_camera, slope_bounds, resolution, **rest):
         self.camera = SimpleNamespace(

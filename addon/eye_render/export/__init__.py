@@ -21,7 +21,7 @@ def export_scene(
     `warn` takes a sentence for the user; `check_cancel` raises to stop the export.
     """
     core_scene = core.require().Scene()
-    images = ImageTable(core_scene, warn)
+    images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
     materials = MaterialTable(
         core_scene, images, depsgraph.view_layer_eval.material_override, warn
     )

@@ -6,51 +6,90 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from . import image_file
+
 # Blender's interpolations that the core does not have are close to linear.
 _INTERPOLATIONS = {"Closest": "Closest"}
 _EXTENSIONS = {"REPEAT", "EXTEND", "CLIP"}
 _DATA_COLORSPACES = {"Non-Color", "Raw"}
+_LINEAR_COLORSPACES = {"Linear", "Linear Rec.709", "scene_linear"}
 MISSING_COLOR = (1.0, 0.0, 1.0)
 
 
 class ImageTable:
-    """The textures of one core scene, each (image, way of reading it) once."""
+    """The textures of one core scene, each (picture, way of reading it) once.
 
-    def __init__(self, core_scene, warn: Callable[[str], None]):
+    Each way to ask gives None, after a warning, for what can only be shown as missing.
+    """
+
+    def __init__(self, core_scene, frame: int, warn: Callable[[str], None]):
         self._core_scene = core_scene
+        self._frame = frame
         self._warn = warn
         self._textures: dict[tuple, int | None] = {}
 
     def texture(
-        self, image: bpy.types.Image, extension: str = "REPEAT", interpolation: str = "Linear"
+        self,
+        image: bpy.types.Image,
+        user: bpy.types.ImageUser,
+        extension: str = "REPEAT",
+        interpolation: str = "Linear",
     ) -> int | None:
-        """The core's texture; None, after a warning, for what can only be shown as missing."""
-        key = (image.name_full, extension, interpolation)
+        """The picture that the user of the image shows at this frame."""
+        if image.source == "SEQUENCE":
+            path = image_file.of_frame(image, user, self._frame)
+            return self._file(image, path, extension, interpolation)
+        if image.source == "FILE" and not image.packed_files and not image.is_dirty:
+            return self._file(image, image_file.of_image(image), extension, interpolation)
+        return self._once(image, "", extension, interpolation, self._add_pixels)
+
+    def tiles(
+        self, image: bpy.types.Image, extension: str = "REPEAT", interpolation: str = "Linear"
+    ) -> list[int]:
+        """Number and texture of each UDIM tile, in turns."""
+        if image.packed_files or not image_file.has_tile_mark(image):
+            self._warn(f"Image '{image.name}' is shown magenta: its tiles are not in files")
+            return []
+        numbers = []
+        for tile in image.tiles:
+            path = image_file.of_tile(image, tile.number)
+            numbers += [tile.number, self._file(image, path, extension, interpolation)]
+        return numbers
+
+    def is_premultiplied(self, image: bpy.types.Image) -> bool:
+        """Whether a texture of it whose Alpha nobody asks for is dimmed by it, as in Cycles."""
+        is_data = image.colorspace_settings.name in _DATA_COLORSPACES
+        return not is_data and image.alpha_mode in {"STRAIGHT", "PREMUL"}
+
+    def _file(
+        self, image: bpy.types.Image, path: Path, extension: str, interpolation: str
+    ) -> int | None:
+        def add(image: bpy.types.Image, **how: str) -> int:
+            colorspace = self._colorspace(image)
+            return self._core_scene.add_texture(str(path), colorspace=colorspace, **how)
+
+        return self._once(image, str(path), extension, interpolation, add)
+
+    def _once(
+        self,
+        image: bpy.types.Image,
+        path: str,
+        extension: str,
+        interpolation: str,
+        add: Callable[..., int | None],
+    ) -> int | None:
+        key = (image.name_full, path, extension, interpolation)
         if key not in self._textures:
             if extension not in _EXTENSIONS:
                 self._warn(f"Image '{image.name}': extension {extension} is shown as REPEAT")
                 extension = "REPEAT"
-            self._textures[key] = self._add(
-                image,
-                extension=extension,
-                interpolation=_INTERPOLATIONS.get(interpolation, "Linear"),
-            )
+            interpolation = _INTERPOLATIONS.get(interpolation, "Linear")
+            self._textures[key] = add(image, extension=extension, interpolation=interpolation)
         return self._textures[key]
 
-    def _add(self, image: bpy.types.Image, **how: str) -> int | None:
-        if image.source not in {"FILE", "GENERATED"}:
-            kind = image.bl_rna.properties["source"].enum_items[image.source].name
-            self._warn(f"Image '{image.name}' is shown magenta: {kind} is not supported")
-            return None
-        if image.source == "FILE" and not image.packed_files and not image.is_dirty:
-            # Where Blender itself looks: it also reads the backslashes of files from Windows.
-            path = Path(image.filepath_from_user()).resolve()
-            return self._core_scene.add_texture(
-                str(path), colorspace=self._colorspace(image), **how
-            )
-        return self._add_pixels(image, **how)
-
     def _add_pixels(self, image: bpy.types.Image, **how: str) -> int | None:
+        if image.source == "MOVIE":
+            self._warn(f"Image '{image.name}': a movie is shown by one of its frames")
         width, height = image.size
         if not image.has_data and width * height == 0:
             self._warn(f"Image '{image.name}' is shown magenta: it has no pixels")
@@ -71,7 +110,7 @@ class ImageTable:
         name = image.colorspace_settings.name
         if name in _DATA_COLORSPACES:
             return "Non-Color"
-        if name in {"Linear", "Linear Rec.709", "scene_linear"}:
+        if name in _LINEAR_COLORSPACES:
             return "Linear"
         if name != "sRGB":
             self._warn(f"Image '{image.name}': colour space {name} is read as sRGB")

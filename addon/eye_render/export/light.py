@@ -8,7 +8,7 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from .. import compat
-from .nodes import constant, source_node
+from .nodes import TreeReader, constant
 
 _KINDS = {"POINT", "SUN", "SPOT", "AREA"}
 
@@ -81,14 +81,16 @@ def _emission_factor(light: bpy.types.Light, warn: Callable[[str], None]) -> np.
     """What the light's own node tree multiplies its colour by."""
     if not compat.uses_nodes(light):
         return np.ones(3)
-    output = light.node_tree.get_output_node("CYCLES")
-    emission = source_node(output.inputs["Surface"]) if output else None
-    if emission is None:
+    inlined = compat.inline_shader_nodes(light)
+    output = inlined.node_tree.get_output_node("CYCLES")
+    source = TreeReader().read(output.inputs["Surface"]).source if output else None
+    if source is None:
         return np.zeros(3)
-    if emission.bl_idname == "ShaderNodeEmission":
+    emission = source.node
+    if emission.kind == "EMISSION":
         color = constant(emission.inputs["Color"])
         strength = constant(emission.inputs["Strength"])
         if color is not None and strength is not None:
             return np.array(color) * strength
-    warn(f"Light '{light.name}': node '{emission.name}' is not supported and is left out")
+    warn(f"Light '{light.name}': {emission.label} is not supported and is left out")
     return np.ones(3)

@@ -4,6 +4,7 @@ import bpy
 import numpy as np
 
 from .. import compat
+from .attributes import attributes_at_corners
 
 
 def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int | None:
@@ -27,9 +28,12 @@ def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int |
         triangles,
         normals=_normals(mesh, corners),
         uvs=uvs,
-        colors=_colors(mesh, corners, triangles, core_scene.color_attributes_read(material_ids)),
+        attributes=attributes_at_corners(
+            mesh, corners, triangles, core_scene.attributes_read(material_ids)
+        ),
         material_slots=_material_slots(mesh, triangle_count),
         active_uv=active_uv,
+        texture_space=_texture_space(mesh),
     )
 
 
@@ -59,27 +63,11 @@ def _uvs(
     return (active if active in uvs else ""), uvs
 
 
-def _colors(
-    mesh: bpy.types.Mesh, corners: np.ndarray, triangles: np.ndarray, names_read: list[str]
-) -> dict[str, np.ndarray]:
-    """The colour attributes read, linear RGBA, one a triangle corner; "" is the render colour."""
-    colors = {}
-    for name in names_read:
-        attribute = _color_attribute(mesh, name)
-        if attribute is None:
-            continue
-        values = np.empty((len(attribute.data), 4), np.float32)
-        attribute.data.foreach_get("color", values.ravel())
-        at_corner = triangles if attribute.domain == "POINT" else corners
-        colors[name] = values[at_corner.ravel()]
-    return colors
-
-
-def _color_attribute(mesh: bpy.types.Mesh, name: str) -> bpy.types.Attribute | None:
-    if name:
-        return mesh.color_attributes.get(name)
-    index = mesh.color_attributes.render_color_index
-    return mesh.color_attributes[index] if 0 <= index < len(mesh.color_attributes) else None
+def _texture_space(mesh: bpy.types.Mesh) -> tuple[tuple[float, ...], tuple[float, ...]]:
+    """Where the coordinates Generated are zero, and how far it is from there to one."""
+    middle, half = np.array(mesh.texspace_location), np.array(mesh.texspace_size)
+    half = np.where(half == 0.0, 1.0, half)
+    return tuple(middle - half), tuple(2.0 * half)
 
 
 def _material_slots(mesh: bpy.types.Mesh, triangle_count: int) -> np.ndarray | None:
