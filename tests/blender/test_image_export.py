@@ -77,6 +77,21 @@ def test_float_images_are_linear(table):
     assert np.all(texture.pixels == 7.5)
 
 
+def test_bright_files_of_other_colour_spaces_are_made_linear_by_blender(table, tmp_path):
+    images, recording = table
+    drawn = bpy.data.images.new("drawn", 2, 2, float_buffer=True)
+    drawn.pixels.foreach_set(np.full(16, 0.5, np.float32))
+    drawn.filepath_raw, drawn.file_format = str(tmp_path / "drawn.exr"), "OPEN_EXR"
+    drawn.save()
+    image = bpy.data.images.load(drawn.filepath_raw)
+    image.colorspace_settings.name = "Filmic sRGB"
+    images.texture(image, USER)
+    (texture,) = recording.textures
+    assert texture.colorspace == "Linear"
+    assert not np.allclose(texture.pixels[..., 0], 0.5, atol=0.01)
+    assert recording.warnings == []
+
+
 def test_data_images_are_left_as_they_are(table, file_image):
     images, recording = table
     file_image.colorspace_settings.name = "Non-Color"

@@ -39,7 +39,8 @@ class ImageTable:
         if image.source == "SEQUENCE":
             path = image_file.of_frame(image, user, self._frame)
             return self._file(image, path, extension, interpolation)
-        if image.source == "FILE" and not image.packed_files and not image.is_dirty:
+        is_file = image.source == "FILE" and not image.packed_files and not image.is_dirty
+        if is_file and (_is_known(image) or not image.is_float):
             return self._file(image, image_file.of_image(image), extension, interpolation)
         return self._once(image, "", extension, interpolation, self._add_pixels)
 
@@ -96,7 +97,7 @@ class ImageTable:
             return None
         pixels = np.empty((height, width, 4), np.float32)
         image.pixels.foreach_get(pixels.ravel())
-        if image.is_float:  # Blender has made these linear already
+        if image.is_float:  # Blender has made these linear already, whatever they were
             is_data = image.colorspace_settings.name in _DATA_COLORSPACES
             colorspace = "Non-Color" if is_data else "Linear"
         else:
@@ -112,6 +113,12 @@ class ImageTable:
             return "Non-Color"
         if name in _LINEAR_COLORSPACES:
             return "Linear"
-        if name != "sRGB":
+        if not _is_known(image):
             self._warn(f"Image '{image.name}': colour space {name} is read as sRGB")
         return "sRGB"
+
+
+def _is_known(image: bpy.types.Image) -> bool:
+    """Whether the core reads the image's colour space itself."""
+    name = image.colorspace_settings.name
+    return name == "sRGB" or name in _DATA_COLORSPACES | _LINEAR_COLORSPACES
