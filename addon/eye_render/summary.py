@@ -27,20 +27,12 @@ def summaries(context: bpy.types.Context, camera: bpy.types.Object) -> list[Summ
     """One for each eye that a render would look with."""
     settings = camera.data.eye_render
     eyes = seen_eyes(context.scene, settings, batch.overrides)
-    told = [_summary_of(context, camera, eye) for eye in eyes]
-    if len(eyes) == 1:
-        return told
-    return [
-        Summary(_of_eye(eye, each.line), each.accommodation and _of_eye(eye, each.accommodation))
-        for eye, each in zip(eyes, told, strict=True)
-    ]
+    return [_summary_of(context, camera, eye, is_one_of_two=len(eyes) > 1) for eye in eyes]
 
 
-def _of_eye(eye: str, sentence: str) -> str:
-    return f"{eye.title()} eye: {sentence[:1].lower()}{sentence[1:]}"
-
-
-def _summary_of(context: bpy.types.Context, camera: bpy.types.Object, eye: str) -> Summary:
+def _summary_of(
+    context: bpy.types.Context, camera: bpy.types.Object, eye: str, is_one_of_two: bool
+) -> Summary:
     settings = camera.data.eye_render
     overrides = batch.overrides
     unknown = []  # what only a render finds
@@ -66,14 +58,20 @@ def _summary_of(context: bpy.types.Context, camera: bpy.types.Object, eye: str) 
             focus_m,
             pupil.diameter_mm if pupil else settings.pupil_mm,
         )
-        known = _answer(arguments)
-    except (EyeRenderError, ValueError) as error:
-        return Summary(f"Blur: {error}")
+        line, accommodation = _answer(arguments)
+    except EyeRenderError as error:
+        return Summary(str(error))
     if unknown:
-        return known._replace(line=f"Blur: the first render finds {' and '.join(unknown)}")
-    if pupil:
-        return known._replace(line=f"{known.line}, as found in {pupil.where}")
-    return known
+        line = f"Blur: the first render finds {' and '.join(unknown)}"
+    elif pupil:
+        line += f", as found in {pupil.where}"
+    if is_one_of_two:
+        return Summary(_of_eye(eye, line), _of_eye(eye, accommodation))
+    return Summary(line, accommodation)
+
+
+def _of_eye(eye: str, sentence: str) -> str:
+    return f"{eye.title()} eye: {sentence[:1].lower()}{sentence[1:]}"
 
 
 def _answer(arguments: dict[str, object]) -> Summary:

@@ -80,7 +80,7 @@ def test_accommodation_is_what_both_age_and_model_allow(scene, observer):
 
 def test_what_is_wrong_is_said_in_the_line(scene, observer):
     observer.right.text = "-2.00 -0.75"
-    assert line(scene).startswith("Blur: Prescription of the right eye: the cylinder -0.75 needs")
+    assert line(scene).startswith("Prescription of the right eye: the cylinder -0.75 needs")
 
 
 def test_the_near_point_is_as_far_as_the_formula_for_the_amplitude_allows(scene, observer):

@@ -57,6 +57,7 @@ def render_views(scene: Path, samples: int) -> list[Path]:
         scene,
         samples_stamp(samples),
         HERE / "render_views.py",
+        HERE.parent / "tools/picture.py",
         *BUILD.glob("release/bindings/eyecore*.so"),
         *(ROOT / "addon/eye_render").rglob("*.py"),
     ]

@@ -9,6 +9,9 @@ from pathlib import Path
 
 import bpy
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.picture import render_picture  # noqa: E402
+
 PUPIL_MM = 4.0
 
 
@@ -23,15 +26,7 @@ def main(folder: str, samples: str, *spheres_d: str) -> None:
     for sphere_d in spheres_d:
         observer.right.text = f"{sphere_d}DS"
         print(f"View {sphere_d}", flush=True)
-        picture = Path(folder) / f"demo_{sphere_d}DS.exr"
-        # Written by the render, so that it carries the observer in its metadata.
-        image = scene.render.image_settings
-        image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGB", "32"
-        scene.render.filepath = str(picture)
-        bpy.ops.render.render(write_still=True)
-        image.file_format, image.color_depth = "PNG", "8"
-        result = bpy.data.images["Render Result"]
-        result.save_render(str(picture.with_suffix(".png")), scene=scene)
+        render_picture(Path(folder) / f"demo_{sphere_d}DS.exr")
 
 
 main(*sys.argv[sys.argv.index("--") + 1 :])

@@ -14,6 +14,9 @@ from pathlib import Path
 
 import bpy
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.picture import render_picture  # noqa: E402
+
 BOUNCES = 2  # enough for the glass ball; more would only add noise that takes samples to go
 
 
@@ -56,15 +59,7 @@ def main(folder: str, size_px: str, samples: str, views: str) -> None:
         set_light(scene, view, sun)
         settings.pupil_pattern = view["pattern"]
         print(f"Panel {view['name']}", flush=True)
-        picture = Path(folder) / f"{view['name']}.exr"
-        # Written by the render, so that it carries the observer in its metadata.
-        image = scene.render.image_settings
-        image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGB", "32"
-        scene.render.filepath = str(picture)
-        bpy.ops.render.render(write_still=True)
-        image.file_format, image.color_depth = "PNG", "8"
-        result = bpy.data.images["Render Result"]
-        result.save_render(str(picture.with_suffix(".png")), scene=scene)
+        render_picture(Path(folder) / f"{view['name']}.exr")
 
 
 main(*sys.argv[sys.argv.index("--") + 1 :])

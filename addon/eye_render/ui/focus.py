@@ -28,7 +28,7 @@ class _Focus:
         if core.module is not None and shown is not None:
             for each in summary.summaries(context, shown):
                 if each.accommodation:
-                    column.label(text=each.accommodation)
+                    draw_sentence(self.layout, context, each.accommodation, "BLANK1")
                 draw_sentence(self.layout, context, each.line, "INFO")
 
 

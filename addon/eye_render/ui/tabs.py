@@ -1,5 +1,6 @@
 """Where the engine's panels stand in the properties editor, and how they write sentences."""
 
+import re
 import textwrap
 
 import bpy
@@ -78,5 +79,6 @@ def draw_sentence(
     column.alert = icon == "ERROR"
     width = context.region.width / context.preferences.system.ui_scale - _MARGIN_PX
     letters = max(_FEWEST_LETTERS, int(width / _LETTER_WIDTH_PX))
-    for number, line in enumerate(textwrap.wrap(text, letters)):
+    unbroken = re.sub(r"(\d) (?=(m|mm|D)\b)", "\\1\u00a0", text)
+    for number, line in enumerate(textwrap.wrap(unbroken, letters)):
         column.label(text=line, icon="BLANK1" if number else icon)

@@ -33,11 +33,19 @@ class _Worn:
         observer = self.camera(context).eye_render
         self.layout.row().prop(observer, "correction", expand=True)
         eyes = seen_eyes(context.scene, observer, batch.overrides)
-        if observer.correction != "NONE":
-            for worn, name in ((observer.right_worn, "Right"), (observer.left_worn, "Left")):
-                draw_prescription(self.layout, context, worn, name, worn.EYE in eyes)
-            if observer.correction == "GLASSES":
-                split_column(self.layout).prop(observer, "worn_add")
+        is_worn = observer.correction != "NONE" and observer.model != "PINHOLE"
+        for worn, name in ((observer.right_worn, "Right"), (observer.left_worn, "Left")):
+            # What is laid aside stays in sight.
+            if observer.correction != "NONE" or worn.text.strip():
+                is_used = is_worn and worn.EYE in eyes
+                draw_prescription(self.layout, context, worn, name, is_used)
+        if observer.correction == "GLASSES" or observer.worn_add:
+            column = split_column(self.layout)
+            column.active = is_worn and observer.correction == "GLASSES"
+            column.prop(observer, "worn_add")
+        if observer.model == "PINHOLE" and observer.correction != "NONE":
+            sentence = "A pinhole eye sees everything sharply, and nothing of a lens"
+            draw_sentence(self.layout, context, sentence, "INFO")
         for eye in eyes:
             sentence = _without_effect(observer, eye)
             if sentence:
