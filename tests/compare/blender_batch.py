@@ -65,11 +65,9 @@ def render_features(
             break
         job["only"] = left
     facts = {f["name"]: f for f in features}
-    return {
-        name: _rendered(facts[name], records.get(name, {"error": crashed.get(name, "not rendered")}),
-                        seeds, folder)
-        for name in wanted
-    }  # fmt: skip
+    for name in wanted:
+        records.setdefault(name, {"error": crashed.get(name, "not rendered")})
+    return {name: _rendered(facts[name], records[name], seeds, folder) for name in wanted}
 
 
 def _rendered(facts: dict, record: dict, seeds: list[int], folder: Path) -> Rendered:

@@ -19,12 +19,12 @@ class Feature:
     name: str  # FAMILY/FUNCTION
     about: str
     build: Callable[[], None]
-    threshold: float = THRESHOLD
+    threshold: float = THRESHOLD  # wider where `differs` says why
     samples: int = 256  # per pixel, enough in Eye Render
     bounces: int = 2
     view: str = "COLOR"  # how the picture is looked at: a key of picture.VIEWS
     differs: str = ""  # why the picture may be further from Cycles 4.3 than the threshold
-    differs_before_4: str = ""  # the same, in a Blender before 4.0
+    before_4: tuple[str, float] | None = None  # why and how far, in a Blender before 4.0
     since: tuple[int, int] = (3, 4)  # the Blender that has the feature
     shows_pass: tuple = ()  # the view layer's switch (or None) and the names of the pass seen
 

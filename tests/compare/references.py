@@ -1,8 +1,8 @@
 """The stored pictures of Cycles: a file a scene, with how sure each pixel is.
 
-An .npz holds `mean`, linear RGB as half floats rounded to eight binary digits (so that the file is small;
-half a step is 0.2 %), `sigma`, the standard error of each pixel's mean luminance, `samples` per
-pixel in all, `noise` (mean FLIP of one half of the batches against the other) and `blender`.
+An .npz holds `mean`, linear RGB as half floats rounded to eight binary digits (so that the file is
+small; half a step is 0.2 %), `sigma`, the standard error of each pixel's mean luminance, `samples`
+per pixel in all, `noise` (mean FLIP of one half of the batches against the other) and `blender`.
 """
 
 from dataclasses import dataclass

@@ -3,17 +3,15 @@
 blender -b --factory-startup [--addons eye_render] --python render_features.py -- JOB.json
 
 JOB: {"engine", "glob", "only" (names, or null), "seeds", "samples" (a number, or null for the
-scene's own), "folder"}. The folder receives features.json (what matches the glob), for each scene and seed a
-float32 array of linear RGBA, and a line of records.jsonl when a scene begins and when it ends.
+scene's own), "folder"}. The folder receives features.json (what matches the glob), for each scene
+and seed a float32 array of linear RGBA, and records.jsonl a line when a scene begins and when it
+ends.
 """
 
 import contextlib
-import io
 import json
-import re
 import resource
 import sys
-import time
 import traceback
 from pathlib import Path
 
@@ -24,9 +22,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 from compositing import show_pass  # noqa: E402
 from engines import SET_UP  # noqa: E402
 from features import Feature, matching  # noqa: E402
+from rendering import choose_exr, render, warnings_of_eye_render  # noqa: E402
 
 SIZE_PX = 64
-_WARNING = re.compile(r"^Eye Render: warning: (.*)$", re.MULTILINE)
 
 
 class PeakMemory:
@@ -51,24 +49,7 @@ def prepare(scene: bpy.types.Scene) -> None:
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
     cycles.caustics_reflective = cycles.caustics_refractive = True
     cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
-    image = scene.render.image_settings
-    image.file_format, image.color_mode, image.color_depth = "OPEN_EXR", "RGBA", "32"
-
-
-def render(scene: bpy.types.Scene, exr: Path) -> np.ndarray:
-    """(height, width, 4), rows from the top."""
-    scene.render.filepath = str(exr)
-    bpy.ops.render.render(write_still=True)
-    return load(exr)
-
-
-def load(exr: Path) -> np.ndarray:
-    image = bpy.data.images.load(str(exr))
-    image.colorspace_settings.name = "Non-Color"
-    pixels = np.empty((image.size[1], image.size[0], 4), np.float32)
-    image.pixels.foreach_get(pixels.ravel())
-    bpy.data.images.remove(image)
-    return pixels[::-1]
+    choose_exr(scene)
 
 
 def show(feature: Feature, job: dict, folder: Path) -> dict:
@@ -77,23 +58,21 @@ def show(feature: Feature, job: dict, folder: Path) -> dict:
     scene = bpy.context.scene
     prepare(scene)
     feature.build()
-    said = io.StringIO()
     seconds = []
     memory = PeakMemory()
-    for seed in job["seeds"]:
-        samples = job["samples"] or feature.samples
-        SET_UP[job["engine"]](scene, samples, feature.bounces, seed)
-        if feature.shows_pass:
-            show_pass(scene, *feature.shows_pass)
-        start = time.monotonic()
-        with contextlib.redirect_stdout(said):
+    with warnings_of_eye_render() as warnings:
+        for seed in job["seeds"]:
+            samples = job["samples"] or feature.samples
+            SET_UP[job["engine"]](scene, samples, feature.bounces, seed)
+            if feature.shows_pass:
+                show_pass(scene, *feature.shows_pass)
             picture = render(scene, folder / "picture.exr")
-        seconds.append(time.monotonic() - start)
-        np.save(folder / f"{feature.name.replace('/', '.')}.{seed}.npy", picture)
+            seconds.append(picture.seconds)
+            np.save(folder / f"{feature.name.replace('/', '.')}.{seed}.npy", picture.rgba)
     return {
         "seconds": sum(seconds) / len(seconds),
         "peak_mb": memory.mb(),
-        "warnings": sorted(set(_WARNING.findall(said.getvalue()))),
+        "warnings": warnings,
     }
 
 

@@ -124,9 +124,7 @@ def ball_mesh(radius: float = BALL_RADIUS, segments: int = 64, rings: int = 32) 
     used = sorted({vertex for face in faces for vertex in face})
     number = {vertex: index for index, vertex in enumerate(used)}
     mesh = bpy.data.meshes.new("Ball")
-    mesh.from_pydata(
-        [corners[v] for v in used], [], [[number[v] for v in face] for face in faces]
-    )
+    mesh.from_pydata([corners[v] for v in used], [], [[number[v] for v in face] for face in faces])
     mesh.uv_layers.new(name="UVMap").data.foreach_set("uv", np.array(uvs, np.float32).ravel())
     mesh.polygons.foreach_set("use_smooth", np.ones(len(faces), bool))
     return mesh

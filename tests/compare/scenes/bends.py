@@ -4,9 +4,18 @@ import bpy
 import numpy as np
 from features import feature
 from stage import (
-    BALL_CENTRE, BALL_RADIUS, add, at, ball, ball_mesh, cube_mesh, diffuse, dressed, new_tree,
+    BALL_CENTRE,
+    BALL_RADIUS,
+    add,
+    at,
+    ball,
+    ball_mesh,
+    cube_mesh,
+    diffuse,
+    dressed,
+    new_tree,
     outdoors,
-)  # fmt: skip
+)
 from tree import Tree, out
 
 PAINT = (0.6, 0.6, 0.5)

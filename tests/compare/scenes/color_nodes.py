@@ -56,9 +56,9 @@ def vector_transform():
 
         return turn
 
-    shown = tiles([paint("VECTOR", "WORLD", "OBJECT"), paint("POINT", "OBJECT", "WORLD"),
-                   paint("NORMAL", "WORLD", "OBJECT"), paint("VECTOR", "WORLD", "CAMERA"),
-                   paint("POINT", "WORLD", "CAMERA"), paint("POINT", "CAMERA", "OBJECT")])  # fmt: skip
+    ways = """VECTOR WORLD OBJECT, POINT OBJECT WORLD, NORMAL WORLD OBJECT, VECTOR WORLD CAMERA,
+        POINT WORLD CAMERA, POINT CAMERA OBJECT"""
+    shown = tiles([paint(*way.split()) for way in ways.split(",")])
     shown.rotation_euler = (0.2, 0.1, 0.4)
     shown.scale = (1.6, 1.3, 2.0)
 
@@ -141,7 +141,6 @@ def conversions():
 @feature()
 def node_group():
     """A group within a group"""
-
 
     def socket(group, name: str, kind: str, direction: str) -> None:
         if hasattr(group, "interface"):

@@ -2,12 +2,10 @@
 
 from itertools import product
 
-import bpy
 from features import feature
 from stage import tiles, wall
 from tree import Tree, out
 
-COLOR_A = (0.8, 0.35, 0.1)
 COLOR_B = (0.15, 0.5, 0.7)
 
 
@@ -25,7 +23,6 @@ def ramp_colors(tree: Tree):
     u, v = u_and_v(tree)
     return out(tree.node("CombineXYZ", {"X": u, "Y": v, "Z": tree.math("SUBTRACT", 1.0, u)}),
                "Vector")  # fmt: skip
-
 
 
 MATH = """ADD SUBTRACT MULTIPLY DIVIDE MULTIPLY_ADD POWER LOGARITHM SQRT INVERSE_SQRT ABSOLUTE
@@ -89,7 +86,7 @@ def vector_math():
 
 
 BLENDS = """MIX DARKEN MULTIPLY BURN LIGHTEN SCREEN DODGE ADD OVERLAY SOFT_LIGHT LINEAR_LIGHT
-DIFFERENCE EXCLUSION SUBTRACT DIVIDE HUE SATURATION COLOR VALUE""".split()
+DIFFERENCE SUBTRACT DIVIDE HUE SATURATION COLOR VALUE""".split()
 
 
 @feature()
@@ -105,6 +102,18 @@ def mix_color():
         return mix
 
     tiles([paint(blend) for blend in BLENDS])
+
+
+@feature(since=(4, 0))
+def mix_exclusion():
+    """Exclusion, the youngest way to mix two colours"""
+
+    def paint(tree: Tree):
+        inputs = {"Factor_Float": 0.7, "A_Color": ramp_colors(tree), "B_Color": COLOR_B}
+        node = tree.node("Mix", inputs, data_type="RGBA", blend_type="EXCLUSION")
+        return out(node, "Result_Color")
+
+    wall(paint)
 
 
 @feature()

@@ -3,9 +3,22 @@
 import bpy
 from features import feature
 from stage import (
-    BALL_CENTRE, add, ball, ball_mesh, ball_of, camera, diffuse, dressed, floor, glow, grid_mesh,
-    lamp, shader, shows, world,
-)  # fmt: skip
+    BALL_CENTRE,
+    add,
+    ball,
+    ball_mesh,
+    ball_of,
+    camera,
+    diffuse,
+    dressed,
+    floor,
+    glow,
+    grid_mesh,
+    lamp,
+    shader,
+    shows,
+    world,
+)
 from tree import out
 
 PAINT = (0.6, 0.45, 0.3)
@@ -50,8 +63,8 @@ def grille() -> None:
 
     def paint(tree):
         vector = tree.scaled(out(tree.node("TexCoord"), "UV"), 1.0, 0.013)
-        return tree.node("TexChecker", {"Vector": vector, "Scale": 21.0,
-                                        "Color1": (0.9, 0.9, 0.9), "Color2": (0.02, 0.02, 0.02)})  # fmt: skip
+        inputs = {"Vector": vector, "Scale": 21.0, "Color1": (0.9, 0.9, 0.9)}
+        return tree.node("TexChecker", inputs | {"Color2": (0.02, 0.02, 0.02)})
 
     add(dressed(grid_mesh(1, 1, (1.7, 1.7)), shows(paint))).rotation_euler = (0, 0, 0.3)
 

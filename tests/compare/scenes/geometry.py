@@ -7,9 +7,21 @@ import numpy as np
 from features import feature
 from mathutils import Matrix
 from stage import (
-    BALL_CENTRE, add, at, ball, ball_mesh, camera, cube_mesh, diffuse, dressed, floor, grid_mesh,
-    outdoors, shader, world,
-)  # fmt: skip
+    BALL_CENTRE,
+    add,
+    at,
+    ball,
+    ball_mesh,
+    camera,
+    cube_mesh,
+    diffuse,
+    dressed,
+    floor,
+    grid_mesh,
+    outdoors,
+    shader,
+    world,
+)
 
 PAINT = (0.6, 0.45, 0.3)
 

@@ -7,8 +7,18 @@ import bpy
 import numpy as np
 from features import feature
 from stage import (
-    BALL_CENTRE, GREY, add, ball_mesh, camera, cube_mesh, dressed, shows, tiles, wall, world,
-)  # fmt: skip
+    BALL_CENTRE,
+    GREY,
+    add,
+    ball_mesh,
+    camera,
+    cube_mesh,
+    dressed,
+    shows,
+    tiles,
+    wall,
+    world,
+)
 from tree import Tree, out
 
 SIZE = 8
@@ -106,8 +116,13 @@ def alpha():
     picture[..., 3] = np.linspace(0.1, 1.0, SIZE)[:, None]
     straight, premultiplied = packed("Straight", picture), packed("Premultiplied", picture)
     premultiplied.alpha_mode = "PREMUL"
-    tiles([image_texture(straight), image_texture(straight, output="Alpha"),
-           image_texture(premultiplied), image_texture(premultiplied, output="Alpha")])  # fmt: skip
+    tiles(
+        [
+            image_texture(image, output=output)
+            for image in (straight, premultiplied)
+            for output in ("Color", "Alpha")
+        ]
+    )
 
 
 def projected(projection: str, **properties):

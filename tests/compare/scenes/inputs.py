@@ -6,9 +6,24 @@ import bpy
 import numpy as np
 from features import feature
 from stage import (
-    BALL_CENTRE, GREY, add, ball_mesh, camera, cube_mesh, diffuse, dressed, floor, grid_mesh, lamp,
-    new_tree, outdoors, painted_ball, shows, wall, world,
-)  # fmt: skip
+    BALL_CENTRE,
+    GREY,
+    add,
+    ball_mesh,
+    camera,
+    cube_mesh,
+    diffuse,
+    dressed,
+    floor,
+    grid_mesh,
+    lamp,
+    new_tree,
+    outdoors,
+    painted_ball,
+    shows,
+    wall,
+    world,
+)
 from tree import Tree, out
 
 

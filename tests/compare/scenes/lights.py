@@ -7,13 +7,25 @@ import numpy as np
 from features import feature
 from mathutils import Euler
 from stage import (
-    BALL_CENTRE, add, ball_mesh, camera, diffuse, dressed, floor, glow, grid_mesh, lamp, new_tree,
-    shader, shows, world,
-)  # fmt: skip
+    BALL_CENTRE,
+    add,
+    ball_mesh,
+    camera,
+    diffuse,
+    dressed,
+    floor,
+    glow,
+    grid_mesh,
+    lamp,
+    new_tree,
+    shader,
+    shows,
+    world,
+)
 from tree import Tree, out
 
 DIM = (0.05, 0.06, 0.08)
-COSINE = "before Blender 4.0 a spot is dimmed by the cosine of the angle from its axis"
+COSINE = ("before Blender 4.0 a spot is dimmed by the cosine of the angle from its axis", 0.1)
 
 
 def by_night() -> None:
@@ -61,19 +73,19 @@ def sun_soft():
     lit_by("SUN", 3.0, angle=math.radians(30))
 
 
-@feature(differs_before_4=COSINE)
+@feature(before_4=COSINE)
 def spot():
     """A spot of 45 degrees with a soft edge"""
     lit_by("SPOT", 300.0, spot_size=math.radians(45), spot_blend=0.4, shadow_soft_size=0.1)
 
 
-@feature(differs_before_4=COSINE)
+@feature(before_4=COSINE)
 def spot_hard():
     """A spot of 30 degrees with a hard edge, no extent"""
     lit_by("SPOT", 300.0, spot_size=math.radians(30), spot_blend=0.0, shadow_soft_size=0.0)
 
 
-@feature(differs_before_4=COSINE)
+@feature(before_4=COSINE)
 def spot_scaled():
     """A spot that is twice as wide as high"""
     settings = {"spot_size": math.radians(40), "spot_blend": 0.2, "shadow_soft_size": 0.05}

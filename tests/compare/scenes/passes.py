@@ -3,8 +3,18 @@
 import bpy
 from features import feature
 from stage import (
-    add, ball_mesh, camera, cube_mesh, diffuse, dressed, floor, new_tree, shader, sun, world,
-)  # fmt: skip
+    add,
+    ball_mesh,
+    camera,
+    cube_mesh,
+    diffuse,
+    dressed,
+    floor,
+    new_tree,
+    shader,
+    sun,
+    world,
+)
 
 
 def still_life() -> None:
@@ -24,7 +34,7 @@ def still_life() -> None:
     add(dressed(ball_mesh(0.2), glow), (-0.5, -1.0, 0.2))
 
 
-BEFORE_4 = "before Blender 4.0 Principled and glass split their light otherwise"
+BEFORE_4 = ("before Blender 4.0 Principled splits its light otherwise", 0.1)
 
 # What it is, the view layer's switch, the pass's names from new to old, and how it is looked at.
 PASSES = {
@@ -41,20 +51,21 @@ PASSES = {
     "ambient_occlusion": ("Ambient occlusion", "use_pass_ambient_occlusion",
                           ("Ambient Occlusion", "AO"), {}),
     "denoising_albedo": ("Denoising albedo", "denoising_store_passes", ("Denoising Albedo",),
-                         {"differs_before_4": BEFORE_4}),
+                         {"before_4": BEFORE_4}),
     "denoising_normal": ("Denoising normal", "denoising_store_passes", ("Denoising Normal",),
                          {"view": "SIGNED"}),
     "diffuse_direct": ("Direct diffuse light", "use_pass_diffuse_direct",
                        ("Diffuse Direct", "DiffDir"), {}),
     "diffuse_indirect": ("Indirect diffuse light", "use_pass_diffuse_indirect",
                          ("Diffuse Indirect", "DiffInd"), {"samples": 512}),
-    "diffuse_color": ("Diffuse colour", "use_pass_diffuse_color", ("Diffuse Color", "DiffCol"), {}),
+    "diffuse_color": ("Diffuse colour", "use_pass_diffuse_color",
+                      ("Diffuse Color", "DiffCol"), {}),
     "glossy_direct": ("Direct glossy light", "use_pass_glossy_direct",
                       ("Glossy Direct", "GlossDir"), {}),
     "glossy_indirect": ("Indirect glossy light", "use_pass_glossy_indirect",
                         ("Glossy Indirect", "GlossInd"), {"samples": 512}),
     "glossy_color": ("Glossy colour", "use_pass_glossy_color", ("Glossy Color", "GlossCol"),
-                     {"differs_before_4": BEFORE_4}),
+                     {"before_4": BEFORE_4}),
     "transmission_direct": ("Direct light through glass", "use_pass_transmission_direct",
                             ("Transmission Direct", "TransDir"), {}),
     "transmission_indirect": ("Indirect light through glass", "use_pass_transmission_indirect",

@@ -7,8 +7,8 @@ from tree import out
 PAINT = (0.6, 0.25, 0.1)
 GOLD = (0.9, 0.65, 0.3)
 
-LAYERS = "before Blender 4.0 Principled layers its lobes otherwise"
-SHEEN = "before Blender 4.0 the sheen was another model"
+LAYERS = ("before Blender 4.0 Principled layers its lobes otherwise", 0.1)
+SHEEN = ("before Blender 4.0 the sheen was another model", 0.2)
 
 
 def principled(**more) -> None:
@@ -92,7 +92,7 @@ def anisotropic():
     )
 
 
-@feature(differs_before_4=SHEEN)
+@feature(before_4=SHEEN)
 def sheen():
     """Sheen 1"""
     principled(Base_Color=(0.1, 0.02, 0.02), Roughness=1.0, Sheen_Weight=1.0)
@@ -110,7 +110,7 @@ def sheen_tint():
     )
 
 
-@feature(differs_before_4=LAYERS)
+@feature(before_4=LAYERS)
 def coat():
     """A smooth coat over a rough base"""
     principled(Roughness=0.8, Coat_Weight=1.0, Coat_Roughness=0.05)
@@ -152,13 +152,13 @@ def alpha():
     principled(Alpha=0.4)
 
 
-@feature(bounces=4, samples=512, differs_before_4=LAYERS)
+@feature(bounces=4, samples=512, before_4=LAYERS)
 def subsurface():
     """Random walk, a third of the radius deep"""
     _subsurface("RANDOM_WALK")
 
 
-@feature(bounces=4, samples=512, differs_before_4=LAYERS)
+@feature(bounces=4, samples=512, before_4=LAYERS)
 def subsurface_burley():
     """Burley's diffusion"""
     _subsurface("BURLEY")

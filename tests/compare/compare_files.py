@@ -1,0 +1,92 @@
+"""Files that others made, each rendered by Cycles and by Eye Render of the same Blender, an engine
+a process, so that time and memory are each one's own."""
+
+import argparse
+import json
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+from blender_batch import BLENDER
+from measure import measure
+from report import FAILED, PASSED, Cost, Row
+
+HERE = Path(__file__).resolve().parent
+PREPARE = HERE.parent / "models/prepare.py"  # imports models, and gives them camera and light
+ENGINES = ("CYCLES", "EYE_RENDER")
+SEEDS = [1, 2]
+THRESHOLD = 0.05  # of mean FLIP beyond the noise of both pictures
+TIMEOUT_S = 1800
+
+
+def compare_files(options: argparse.Namespace, scratch: Path) -> list[Row]:
+    rows = []
+    for number, path in enumerate(options.files):
+        folder = scratch / str(number)
+        folder.mkdir()
+        row = compare_file(path.resolve(), options, folder)
+        print(f"{path}: {row.outcome} {row.reason}", flush=True)
+        rows.append(row)
+    return rows
+
+
+def compare_file(path: Path, options: argparse.Namespace, folder: Path) -> Row:
+    row = Row(path.name, str(path), FAILED, THRESHOLD)
+    pictures: dict[str, list[np.ndarray]] = {}
+    for engine in ENGINES:
+        job = {"engine": engine, "samples": options.samples or 256, "bounces": options.bounces}
+        job |= {"size": options.size, "seeds": SEEDS, "folder": str(folder)}
+        try:
+            found, peak_mb = _render(path, job, folder)
+        except RuntimeError as error:
+            row.reason = f"{engine}: {error}"
+            return row
+        cost = Cost(found["seconds"], peak_mb)
+        if engine == "CYCLES":
+            row.cycles = cost
+        else:
+            row.eye_render, row.warnings = cost, found["warnings"]
+        pictures[engine] = [np.load(folder / f"{engine}.{seed}.npy")[..., :3] for seed in SEEDS]
+    reference, ours = (np.mean(pictures[engine], axis=0) for engine in ENGINES)
+    row.pictures = (reference, ours)
+    row.noise = max(measure(*pictures[engine]).figure() for engine in ENGINES)
+    row.difference = measure(reference, ours)
+    row.threshold = round(THRESHOLD + row.noise, 4)
+    figure = row.difference.figure()
+    row.outcome = PASSED if figure <= row.threshold else FAILED
+    row.reason = "" if row.outcome == PASSED else f"more than {row.threshold}"
+    return row
+
+
+def _render(path: Path, job: dict, folder: Path) -> tuple[dict, float]:
+    """What Blender found, and the most memory that it had."""
+    job_file, log = folder / "job.json", folder / f"{job['engine']}.log"
+    job_file.write_text(json.dumps(job))
+    (folder / "found.json").unlink(missing_ok=True)
+    command = [BLENDER, "-b", "--factory-startup", "--addons", "eye_render"]
+    command += ["--python-exit-code", "1"]
+    if path.suffix == ".blend":
+        command += [str(path)]
+    else:
+        command += ["--python", str(PREPARE)]
+    command += ["--python", str(HERE / "render_file.py"), "--"]
+    command += [str(path), str(folder / "record.json"), str(job_file)]
+    with log.open("w") as output:
+        blender = subprocess.Popen(command, stdout=output, stderr=output)
+        try:
+            status, usage = _wait(blender)
+        except subprocess.TimeoutExpired:
+            blender.kill()
+            raise RuntimeError(f"not done in {TIMEOUT_S} s") from None
+    if status or not (folder / "found.json").exists():
+        lines = [line for line in log.read_text(errors="replace").splitlines() if line.strip()]
+        raise RuntimeError(f"exit status {status}: {' / '.join(lines[-3:])}")
+    return json.loads((folder / "found.json").read_text()), usage.ru_maxrss / 1024
+
+
+def _wait(blender: subprocess.Popen):
+    """Exit status and resources of the process, which is ended when it takes too long."""
+    _, status, usage = os.wait4(blender.pid, 0)
+    blender.returncode = os.waitstatus_to_exitcode(status)
+    return blender.returncode, usage

@@ -1,0 +1,158 @@
+"""The feature scenes are as near to Cycles as each of them must be, in a quick form; and what
+`run compare` says follows from the pictures."""
+
+import os
+import struct
+import subprocess
+import sys
+import zlib
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT / "tests/compare"))
+import references  # noqa: E402
+from blender_batch import BLENDER, Rendered, render_features  # noqa: E402
+from measure import FLIP_OF_BLOCK_RMSE, excess_rmse, measure  # noqa: E402
+from picture import as_seen  # noqa: E402
+from report import EXPECTED, FAILED, PASSED, png  # noqa: E402
+from verdict import allowed, row_of  # noqa: E402
+
+SAMPLES = 48  # per pixel; a quick picture is told from its noise by blocks of pixels
+# What a quick picture's noise, not quite that of Cycles, may add to a figure of FLIP.
+QUICK_MARGIN = 0.015
+SEED = 7
+
+STORED = sorted(path.stem for path in references.FOLDER.glob("*.npz"))
+NOISE = np.random.default_rng(3)
+
+
+def noisy(value: float, sigma: float) -> np.ndarray:
+    return NOISE.normal(value, sigma, (64, 64, 3)).astype(np.float32)
+
+
+# --- the suite -----------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def quick(tmp_path_factory) -> dict[str, Rendered]:
+    """Every feature scene in the Blender of the user."""
+    if "BLENDER_USER_SCRIPTS" not in os.environ:
+        pytest.skip("no scripts folder with the add-on; `run test` makes one")
+    folder = tmp_path_factory.mktemp("features")
+    return render_features("EYE_RENDER", "*", [SEED], folder, SAMPLES)
+
+
+@pytest.fixture(scope="session")
+def version() -> tuple[int, ...]:
+    ran = subprocess.run([BLENDER, "--version"], capture_output=True, text=True)
+    return tuple(int(part) for part in ran.stdout.split()[1].split(".")[:2])
+
+
+@pytest.mark.parametrize("stem", STORED)
+def test_scene_is_as_near_to_cycles_as_it_must_be(quick, version, stem):
+    name = stem.replace(".", "/", 1)
+    if name not in quick:
+        pytest.skip("this Blender does not have the feature")
+    rendered = quick[name]
+    threshold, reason = allowed(rendered.facts, version)
+    if rendered.error:
+        pytest.xfail(reason) if threshold >= 1 else pytest.fail(rendered.error)
+    reference = references.load(references.path_of(name))
+    picture = as_seen(rendered.pictures[0], rendered.facts["view"])
+    assert picture.shape == reference.mean.shape
+    excess = excess_rmse(reference.mean, reference.sigma, reference.samples, picture, SAMPLES)
+    assert FLIP_OF_BLOCK_RMSE * excess <= threshold + QUICK_MARGIN, rendered.warnings
+
+
+def test_every_scene_has_a_reference(quick):
+    assert {name.replace("/", ".") for name in quick} <= set(STORED)
+
+
+# --- what is said of pictures ---------------------------------------------------------------
+
+
+def test_equal_pictures_do_not_differ():
+    picture = noisy(0.5, 0.1)
+    found = measure(picture, picture)
+    assert (found.rmse, found.block_rmse, found.brightness_ratio) == (0.0, 0.0, 1.0)
+
+
+def test_noise_alone_is_no_excess():
+    sigma, samples = np.full((64, 64), 0.01), 1024
+    one_sample = 0.01 * np.sqrt(samples)
+    reference, picture = noisy(0.5, 0.01), noisy(0.5, one_sample / np.sqrt(256))
+    # Three channels are as noisy as their luminance here, so nothing is left but its own error.
+    assert excess_rmse(reference, sigma, samples, picture, 256) < 0.003
+
+
+def test_a_darker_half_is_excess():
+    reference = np.full((64, 64, 3), 0.5, np.float32)
+    picture = reference.copy()
+    picture[:32] *= 0.8
+    assert excess_rmse(reference, np.zeros((64, 64)), 1024, picture, 256) > 0.03
+
+
+def test_references_survive_their_file(tmp_path):
+    batches = [noisy(0.3, 0.05) * np.array([1, 4, -0.2], np.float32) for _ in range(4)]
+    made = references.of_batches(batches, 64, 0.01, "Blender 4.3")
+    references.save(tmp_path / "x.npz", made)
+    read = references.load(tmp_path / "x.npz")
+    # Eight binary digits, rounded; a byte of eight steps for a factor of two, rounded up.
+    np.testing.assert_allclose(read.mean, made.mean, rtol=2**-8 + 2**-11)
+    np.testing.assert_array_less(made.sigma, read.sigma * 1.0001)
+    np.testing.assert_array_less(read.sigma, made.sigma * 2 ** (1 / 8) * 1.0001)
+    assert (read.samples, read.noise, read.blender) == (256, 0.01, "Blender 4.3")
+
+
+def test_sigma_is_the_standard_error_of_the_mean():
+    batches = [noisy(0.5, 0.04) for _ in range(16)]
+    sigma = references.of_batches(batches, 64, 0.0, "").sigma
+    luminance_sigma = 0.04 * np.linalg.norm(references.LUMINANCE) / np.sqrt(16)
+    assert np.sqrt(np.mean(sigma**2)) == pytest.approx(luminance_sigma, rel=0.05)
+
+
+FACTS = {"name": "lights/point", "about": "", "view": "COLOR", "before_4": None,
+         "threshold": 0.03, "differs": ""}  # fmt: skip
+
+
+def row_with(monkeypatch, tmp_path, brightness: float, **facts):
+    """The row of a grey picture beside a reference that is as bright as it, times `brightness`."""
+    monkeypatch.setattr(references, "FOLDER", tmp_path)
+    grey = np.full((64, 64, 3), 0.25, np.float32)
+    made = references.of_batches([grey, grey], 64, 0.0, "")
+    references.save(references.path_of("lights/point"), made)
+    rgba = np.dstack([grey * brightness, np.ones((64, 64), np.float32)])
+    return row_of(Rendered(FACTS | facts, pictures=[rgba]), (3, 4))
+
+
+def test_equal_picture_passes(monkeypatch, tmp_path):
+    assert row_with(monkeypatch, tmp_path, 1.0).outcome == PASSED
+
+
+def test_darker_picture_fails(monkeypatch, tmp_path):
+    row = row_with(monkeypatch, tmp_path, 0.5)
+    assert row.outcome == FAILED
+    assert row.difference.brightness_ratio == pytest.approx(0.5, rel=0.01)
+
+
+def test_what_is_known_to_differ_is_told_apart(monkeypatch, tmp_path):
+    row = row_with(monkeypatch, tmp_path, 0.5, threshold=0.9, differs="for a reason")
+    assert (row.outcome, row.reason) == (EXPECTED, "for a reason")
+
+
+def test_old_blender_has_its_own_threshold(monkeypatch, tmp_path):
+    row = row_with(monkeypatch, tmp_path, 0.5, before_4=("otherwise", 0.9))
+    assert (row.outcome, row.reason) == (EXPECTED, "otherwise")
+
+
+def test_png_holds_the_picture():
+    rgb = NOISE.integers(0, 255, (3, 5, 3)).astype(np.uint8)
+    data = png(rgb)
+    assert data.startswith(b"\x89PNG\r\n\x1a\n")
+    assert struct.unpack(">II", data[16:24]) == (5, 3)
+    start = data.index(b"IDAT") + 4
+    rows = zlib.decompress(data[start : data.index(b"IEND") - 8])
+    assert b"".join(rows[i * 16 + 1 : i * 16 + 16] for i in range(3)) == rgb.tobytes()
