@@ -37,6 +37,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(prog="run compare", description=__doc__.split("\n\n")[0])
     parser.add_argument("files", nargs="*", type=Path, metavar="FILE",
                         help=".blend files, or models that Blender can import")  # fmt: skip
+    parser.add_argument("--library", action="store_true",
+                        help="the files are libraries: a ball of each material")  # fmt: skip
     parser.add_argument("--scenes", default="*", metavar="GLOB",
                         help="feature scenes to compare, as 'lights/*' (default all)")  # fmt: skip
     parser.add_argument("--samples", type=int, help="per pixel (default: each scene's own; 256)")

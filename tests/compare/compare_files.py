@@ -21,14 +21,29 @@ TIMEOUT_S = 1800
 
 
 def compare_files(options: argparse.Namespace, scratch: Path) -> list[Row]:
+    files = options.files
+    if options.library:
+        files = [scene for library in files for scene in _scenes_of(library, scratch)]
     rows = []
-    for number, path in enumerate(options.files):
+    for number, path in enumerate(files):
         folder = scratch / str(number)
         folder.mkdir()
         row = compare_file(path.resolve(), options, folder)
         print(f"{path}: {row.outcome} {row.reason}", flush=True)
         rows.append(row)
     return rows
+
+
+def _scenes_of(library: Path, scratch: Path) -> list[Path]:
+    """A file for each material."""
+    folder = scratch / f"library-{library.stem}"
+    folder.mkdir()
+    command = [BLENDER, "-b", "--factory-startup", "--python-exit-code", "1"]
+    command += ["--python", str(HERE / "dress_library.py"), "--", str(library.resolve())]
+    ran = subprocess.run([*command, str(folder)], capture_output=True, text=True)
+    if ran.returncode:
+        raise SystemExit(f"Blender failed on {library}:\n{ran.stdout[-2000:]}{ran.stderr[-2000:]}")
+    return sorted(folder.glob("*.blend"))
 
 
 def compare_file(path: Path, options: argparse.Namespace, folder: Path) -> Row:
