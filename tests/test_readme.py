@@ -20,6 +20,7 @@ DEAR = {
     "package",
     "build",
     "cycles",
+    "compare",
     "compat",
     "eyes",
     "figures",
