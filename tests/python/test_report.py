@@ -99,6 +99,19 @@ def test_an_emmetropes_report_speaks_of_infinity_and_diffraction(tmp_path: Path)
     assert [each["is_diffraction_limited"] for each in numbers["distances"]] == [True, True]
 
 
+def test_full_correction_leaves_no_blur_and_no_direction_of_it(tmp_path: Path) -> None:
+    about = report.Subject(
+        lambda power_d: eyecore.Eye(
+            rx="+3.00 -0.75 x 20", correction="glasses", accommodation_d=power_d
+        ),
+        0.0,
+        AMPLITUDE_D,
+    )
+    (far,) = written_numbers(about, [math.inf], tmp_path / "eye.json")["distances"]
+    assert far["blur_major_arcmin"] == far["blur_minor_arcmin"] == far["defocus_d"] == 0.0
+    assert far["blur_angle_deg"] is None
+
+
 def test_the_picture_lies_beside_the_numbers(tmp_path: Path) -> None:
     image = pytest.importorskip("matplotlib.image")
     about = subject("-2.00DS -0.75DC 160A")

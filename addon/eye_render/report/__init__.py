@@ -42,10 +42,13 @@ def write_report(subject: Subject, distances_m: Sequence[float], path: Path) -> 
     return Written(path, picture, "")
 
 
+_FINEST_DECIMAL = 9  # below it lies the noise of sums that should be 0
+
+
 def _rounded(value: object) -> object:
     """To what the sampling of the pupil is good for, and more than any clinic asks for."""
     if isinstance(value, float):
-        return float(f"{value:.6g}")
+        return round(float(f"{value:.6g}"), _FINEST_DECIMAL)
     if isinstance(value, dict):
         return {key: _rounded(each) for key, each in value.items()}
     if isinstance(value, list):

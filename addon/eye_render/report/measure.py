@@ -27,6 +27,8 @@ _SHARPEST_D = 1.0
 _SHARPEST_POINTS = 41
 CURVE_SAMPLES = 16384
 
+_NO_BLUR_ARCMIN = 1e-6  # has no direction: what is left of it is the noise of sums
+
 
 @dataclass(frozen=True)
 class Subject:
@@ -117,6 +119,7 @@ def _clear_range(clear: eyecore.ClearRange) -> dict:
 
 def _at_distance(eye: eyecore.Eye, distance: float) -> dict:
     blur = eye.spot_ellipse(distance)
+    angle_deg = blur.angle_deg if blur.major_arcmin > _NO_BLUR_ARCMIN else None
     vergence_d = 1.0 / distance
     return {
         "distance_m": distance_m(vergence_d),
@@ -124,10 +127,10 @@ def _at_distance(eye: eyecore.Eye, distance: float) -> dict:
         "defocus_d": eye.best_focus_d - vergence_d,
         "blur_major_arcmin": blur.major_arcmin,
         "blur_minor_arcmin": blur.minor_arcmin,
-        "blur_angle_deg": blur.angle_deg,
+        "blur_angle_deg": angle_deg,
         "rms_radius_arcmin": blur.rms_radius_arcmin,
         "is_diffraction_limited": eye.is_diffraction_limited(distance),
-        "mtf": [_mtf(eye, distance, meridian) for meridian in mtf_meridians_deg(blur.angle_deg)],
+        "mtf": [_mtf(eye, distance, meridian) for meridian in mtf_meridians_deg(angle_deg)],
     }
 
 
