@@ -3,7 +3,7 @@
 import bpy
 import numpy as np
 
-from . import core
+from . import batch, core
 
 _VALUE_KIND = {1: "VALUE", 3: "VECTOR", 4: "COLOR"}
 
@@ -20,8 +20,11 @@ def _is_enabled(view_layer: bpy.types.ViewLayer, name: str) -> bool:
 
 
 def enabled(view_layer: bpy.types.ViewLayer) -> list[tuple[str, int, str]]:
-    """(name, channels, channel ids) of the passes that the view layer asks for."""
-    return [row for row in core.require().PASSES if _is_enabled(view_layer, row[0])]
+    """(name, channels, channel ids) of the passes that the view layer asks for; and, of a part of
+    the samples, the pass that merges it with the others."""
+    rows = [row for row in core.require().PASSES if _is_enabled(view_layer, row[0])]
+    is_part = batch.overrides.sample_range is not None
+    return [*rows, core.require().SAMPLE_WEIGHT] if is_part else rows
 
 
 def register(

@@ -1,3 +1,7 @@
+import re
+from pathlib import Path
+
+import eye_render
 import pytest
 
 
@@ -97,3 +101,12 @@ def test_axis_0_typed_and_animated_axis_180_do_not_disagree(prescription):
     prescription.text = "-2.00 -0.75 x 0"
     prescription.axis = 0.0
     assert prescription.disagreement() == ""
+
+
+def test_the_readmes_prescriptions_are_read():
+    readme = (Path(__file__).parents[2] / "README.md").read_text(encoding="utf-8")
+    (told,) = re.findall(r"^Prescriptions are read as people.*?\n\n", readme, re.M | re.S)
+    texts = [" ".join(text.split()) for text in re.findall("`([^`]+)`", told)]
+    assert len(texts) == 5
+    for text in texts:
+        eye_render.prescription.parse(text, "RIGHT")

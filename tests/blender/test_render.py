@@ -6,6 +6,7 @@ import subprocess
 import bpy
 import numpy as np
 import pytest
+from eye_render import batch
 from scenes import add_object, emitter, quad_mesh, write_multilayer
 
 RED = (1.0, 0.0, 0.0)
@@ -199,3 +200,41 @@ def test_a_picture_of_many_samples_ends_at_once_when_cancelled(run_blender, pict
     ended = run_blender(script=script)
     assert ended.returncode == 1
     assert not picture.exists()
+
+
+def layer_pixels(path: str, pass_name: str) -> np.ndarray:
+    """(height, width, 4) of a pass in a multilayer file of four channels."""
+    channels = ",".join(f"ViewLayer.{pass_name}.{channel}" for channel in "RGBA")
+    alone = f"{path}.{pass_name}.exr"
+    names = ["--ch", channels, "--chnames", "R,G,B,A", "-d", "float", "-o", alone]
+    subprocess.run(["oiiotool", path, *names], check=True)
+    image = bpy.data.images.load(alone)
+    pixels = np.empty((image.size[1], image.size[0], 4), np.float32)
+    image.pixels.foreach_get(pixels.ravel())
+    return pixels
+
+
+def test_parts_of_the_samples_merge_exactly_by_their_weights(scene, tmp_path):
+    """Each sample has a wavelength of its own, so that channels count samples differently."""
+    wall(GREEN, x=5.0)
+    scene.eye_render.chromatic = True
+    scene.camera.data.eye_render.right.text = "-20.00DS"
+
+    def part(samples: tuple[int, int]) -> tuple[np.ndarray, np.ndarray]:
+        path = str(tmp_path / f"{samples[1]}.exr")
+        write_multilayer(scene, path)
+        scene.render.image_settings.color_depth = "32"
+        batch.overrides.sample_range = samples
+        try:
+            bpy.ops.render.render(write_still=True)
+        finally:
+            batch.overrides.sample_range = None
+        return layer_pixels(path, "Combined"), layer_pixels(path, "Sample Weight")
+
+    (first, first_weight), (second, second_weight) = part((0, 3)), part((3, 8))
+    whole, whole_weight = part((0, 8))
+    merged_weight = first_weight + second_weight
+    merged = (first * first_weight + second * second_weight) / merged_weight
+    assert not np.array_equal(first_weight[..., 0], first_weight[..., 1])
+    assert np.allclose(merged_weight, whole_weight, rtol=1e-5)
+    assert np.allclose(merged, whole, rtol=1e-4, atol=1e-5)  # single precision, clipped at 0
