@@ -1,0 +1,117 @@
+// The procedural textures as nodes: sockets, options and inputs of any value.
+
+#include "node_trial.h"
+#include "texture_references.h"
+
+#include "shading/nodes/node_tables.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <set>
+
+namespace eye_render::test {
+namespace {
+
+const NodeType& texture_node(std::string_view name)
+{
+    const auto types = procedural_texture_nodes();
+    return *std::ranges::find(types, name, &NodeType::name);
+}
+
+// Every set of options in the tables.
+std::set<Options> options_of(const NodeType& type)
+{
+    std::string table(type.name);
+    std::ranges::transform(table, table.begin(), [](char c) { return std::tolower(c); });
+    std::set<Options> all;
+    for (const ReferenceRow& row : reference_table(table)) {
+        all.insert(row.options);
+    }
+    return all;
+}
+
+TEST(ProceduralNodes, answer_numbers_to_whatever_they_are_asked)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    constexpr float greatest = std::numeric_limits<float>::max();
+    constexpr float least = std::numeric_limits<float>::denorm_min();
+    const std::vector<float> extremes{std::nanf(""), infinity,     -infinity, greatest, -greatest,
+                                      least,         -least,       0.0f,      -0.0f,    1e30f,
+                                      -1e30f,        2147483648.f, 1e9f,      -1e9f,    1e-30f,
+                                      100000.0f,     -1.0f,        0.5f,      3.0f};
+    std::mt19937 random(1);
+    const auto extreme = [&] { return extremes[random() % extremes.size()]; };
+    for (const NodeType& type : procedural_texture_nodes()) {
+        for (const Options& options : options_of(type)) {
+            NodeTrial trial(type, options);
+            for (int i = 0; i < 25; ++i) {
+                std::string asked(type.name);
+                for (const InputSocket& socket : type.inputs) {
+                    // Half of the inputs stay ordinary. Colours are only passed on.
+                    if (socket.type == SocketType::Color || random() % 2 == 0) {
+                        continue;
+                    }
+                    const NodeValue value(extreme(), extreme(), extreme());
+                    trial.set(socket.identifier, value);
+                    asked += " " + std::string(socket.identifier) + "=" + std::to_string(value.x) +
+                             "," + std::to_string(value.y) + "," + std::to_string(value.z);
+                }
+                trial.set("Vector", {extreme(), extreme(), extreme()});
+                for (const OutputSocket& output : type.outputs) {
+                    const NodeValue value = trial(output.identifier);
+                    EXPECT_TRUE(std::isfinite(value.x) && std::isfinite(value.y) &&
+                                std::isfinite(value.z))
+                        << asked << " gives " << output.identifier << " " << value;
+                }
+            }
+        }
+    }
+}
+
+TEST(ProceduralNodes, are_looked_up_at_generated_coordinates_unless_linked)
+{
+    MadeUpHit hit;
+    hit.p_generated = {0.3f, 0.6f, 0.9f};
+    for (const NodeType& type : procedural_texture_nodes()) {
+        const std::string_view output = type.outputs[0].identifier;
+        NodeTrial unlinked(type);
+        NodeTrial linked(type);
+        linked.set("Vector", hit.p_generated);
+        EXPECT_EQ(unlinked(output, hit), linked(output)) << type.name;
+    }
+}
+
+TEST(ProceduralNodes, gradient_ends_where_blenders_does)
+{
+    NodeTrial gradient(texture_node("TEX_GRADIENT"));
+    EXPECT_EQ(gradient.set("Vector", {-2.0f, 0.0f, 0.0f})("Fac").x, 0.0f);
+    EXPECT_EQ(gradient.set("Vector", {0.25f, 0.0f, 0.0f})("Fac").x, 0.25f);
+    EXPECT_EQ(gradient.set("Vector", {7.0f, 0.0f, 0.0f})("Fac").x, 1.0f);
+}
+
+TEST(ProceduralNodes, magic_repeats_every_turn_of_its_unscaled_coordinates)
+{
+    NodeTrial magic(texture_node("TEX_MAGIC"), {{"turbulence_depth", 5.0}});
+    magic.set("Scale", 1.37f);
+    const float turn = 6.2831855f;
+    const NodeValue here = magic.set("Vector", {1.0f, 2.0f, 0.5f})("Color");
+    const NodeValue there = magic.set("Vector", {1.0f + turn, 2.0f + 3.0f * turn, 0.5f})("Color");
+    // Five folds, each of which doubles the rounding of the coordinates.
+    EXPECT_LT((here - there).length(), 1e-4f) << here << there;
+}
+
+TEST(ProceduralNodes, refuse_options_out_of_range)
+{
+    const auto made = [](std::string_view type, Options options) {
+        NodeTrial(texture_node(type), std::move(options));
+    };
+    EXPECT_THROW(made("TEX_NOISE", {{"noise_dimensions", "5D"}}), std::invalid_argument);
+    EXPECT_THROW(made("TEX_VORONOI", {{"feature", "F3"}}), std::invalid_argument);
+    EXPECT_THROW(made("TEX_MAGIC", {{"turbulence_depth", 11.0}}), std::invalid_argument);
+    EXPECT_THROW(made("TEX_BRICK", {{"offset_frequency", 0.0}}), std::invalid_argument);
+    EXPECT_THROW(made("TEX_BRICK", {{"squash", std::nan("")}}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace eye_render::test
