@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from eye_render.export.light import export_light
 from mathutils import Matrix
-from scenes import RecordingScene, add_object
+from scenes import RecordingScene, add_node, add_object, link
 
 
 @pytest.fixture
@@ -91,6 +91,21 @@ def test_a_lamps_emission_node_multiplies_its_colour(scene, export):
     recording = RecordingScene()
     export_light(recording, bpy.data.objects["Lamp"], Matrix.Identity(4), print)
     assert recording.lights[0].color == pytest.approx((plain[0] * 2, plain[1], 0.0))
+
+
+def test_a_node_that_a_lamp_cannot_show_is_named(scene, export):
+    plain = export("POINT", energy=10.0).color
+    light = bpy.data.lights[0]
+    light.use_nodes = True
+    emission = next(n for n in light.node_tree.nodes if n.bl_idname == "ShaderNodeEmission")
+    emission.inputs["Strength"].default_value = 2.0
+    falloff = add_node(light, "ShaderNodeLightFalloff", name="Even")
+    link(light, falloff.outputs["Constant"], emission.inputs["Strength"])
+    recording, warnings = RecordingScene(), []
+    export_light(recording, bpy.data.objects["Lamp"], Matrix.Identity(4), warnings.append)
+    assert recording.lights[0].color == pytest.approx(tuple(2.0 * c for c in plain))
+    (warning,) = warnings
+    assert "Even" in warning
 
 
 def test_a_lamp_of_a_kind_that_blender_does_not_know_is_named_and_left_out():

@@ -87,10 +87,16 @@ def _emission_factor(light: bpy.types.Light, warn: Callable[[str], None]) -> np.
     if source is None:
         return np.zeros(3)
     emission = source.node
-    if emission.kind == "EMISSION":
-        color = constant(emission.inputs["Color"])
-        strength = constant(emission.inputs["Strength"])
-        if color is not None and strength is not None:
-            return np.array(color) * strength
-    warn(f"Light '{light.name}': {emission.label} is not supported and is left out")
-    return np.ones(3)
+    factor = np.ones(3)
+    if emission.kind != "EMISSION":
+        warn(f"Light '{light.name}': {emission.label} is not supported and is left out")
+        return factor
+    for name in ("Color", "Strength"):
+        item = emission.inputs[name]
+        value = constant(item)
+        if value is None:
+            label = item.source.node.label
+            warn(f"Light '{light.name}': {label} ({name}) is not supported and is left out")
+            value = item.value
+        factor = factor * value
+    return factor

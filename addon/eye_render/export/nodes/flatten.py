@@ -4,6 +4,8 @@ Only what the asked-for sockets depend on is read, and each node once for each p
 stands at.
 """
 
+from collections.abc import Iterable
+
 import bpy
 
 from ... import compat
@@ -81,15 +83,15 @@ class TreeReader:
                     return first, path, False
                 socket = through[0].from_socket
             elif node.type == "GROUP":
-                inside = _group_output(node, output.identifier)
+                inside = _named(_group_output_sockets(node), output.identifier)
                 if inside is None:
                     return first, path, False
                 socket, path = inside, (*path, node)
             elif node.type == "GROUP_INPUT":
-                group, path = path[-1], path[:-1]
-                socket = next(
-                    item for item in group.inputs if item.identifier == output.identifier
-                )
+                outside = _named(path[-1].inputs, output.identifier) if path else None
+                if outside is None:
+                    return first, path, False
+                socket, path = outside, path[:-1]
             else:
                 return output, path, through_number
             narrows = socket.type in NUMBER_TYPES and first.type not in NUMBER_TYPES
@@ -154,11 +156,16 @@ def own_value(socket: bpy.types.NodeSocket) -> Value | None:
     return (*value, 0.0)[:3]
 
 
-def _group_output(group: bpy.types.Node, identifier: str) -> bpy.types.NodeSocket | None:
-    """The socket inside that gives the group node's output."""
+def _group_output_sockets(group: bpy.types.Node) -> Iterable[bpy.types.NodeSocket]:
+    """The sockets inside that give the outputs of the group node."""
     nodes = group.node_tree.nodes if group.node_tree else ()
     output = next((n for n in nodes if n.type == "GROUP_OUTPUT" and n.is_active_output), None)
-    sockets = output.inputs if output else ()
+    return output.inputs if output else ()
+
+
+def _named(
+    sockets: Iterable[bpy.types.NodeSocket], identifier: str
+) -> bpy.types.NodeSocket | None:
     return next((item for item in sockets if item.identifier == identifier), None)
 
 

@@ -33,6 +33,7 @@ class Row(NamedTuple):
     options: Mapping[str, str] = {}  # old name: new name
     set_options: Mapping[str, object] = {}
     set_inputs: Mapping[str, float] = {}
+    set_outputs: Mapping[str, float] = {}  # they always have these values
     convert: Callable[[Node], None] | None = None
     note: str = ""  # what of it is not shown
 
@@ -52,6 +53,7 @@ class Row(NamedTuple):
         node.options = {self.options.get(name, name): item for name, item in node.options.items()}
         node.options |= self.set_options
         node.inputs |= {name: Input("VALUE", value) for name, value in self.set_inputs.items()}
+        node.constant_outputs |= self.set_outputs
         if self.note:
             node.notes.append(self.note)
 
@@ -109,6 +111,7 @@ ROWS = (
         set_options={"sky_type": "SINGLE_SCATTERING"},
         note="light scattered more than once in",
     ),
+    Row("LIGHT_PATH", set_outputs={"Is Volume Scatter Ray": 0.0, "Portal Depth": 0.0}),
     Row("NORMAL_MAP", with_option=("convention", "DIRECTX"), convert=flip_green),
 )
 
