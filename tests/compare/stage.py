@@ -153,6 +153,8 @@ def dressed(mesh: bpy.types.ID, *materials: bpy.types.Material) -> bpy.types.ID:
 def world(color=SKY, strength: float = 1.0) -> Tree:
     """A world of one colour; gives its tree."""
     data = bpy.data.worlds.new("World")
+    # Cycles' own choice takes seconds a render.
+    data.cycles.sampling_method, data.cycles.sample_map_resolution = "MANUAL", 512
     bpy.context.scene.world = data
     tree = Tree(data)
     tree.surface("Background", {"Color": color, "Strength": strength})
