@@ -30,8 +30,8 @@ class Difference:
         return self.flip if math.isfinite(self.flip) else FLIP_OF_BLOCK_RMSE * self.block_rmse
 
 
-# Over the feature scenes FLIP is about this many times the blocks' RMSE: see test_measure.
-FLIP_OF_BLOCK_RMSE = 2.0
+# Where light or colour is a little off, FLIP is about this many times the blocks' RMSE.
+FLIP_OF_BLOCK_RMSE = 6.0
 
 
 def measure(reference: np.ndarray, picture: np.ndarray) -> Difference:
