@@ -12,6 +12,12 @@ from .options import OF_THE_RENDER, OPTIONS
 _VIEWPORT_SENTENCE = "Eye Render draws no picture in the viewport: press F12 to render"
 
 
+def _sentence(error: Exception) -> str:
+    if isinstance(error, OSError) and error.strerror:
+        return f"{error.filename or 'A file'}: {error.strerror}"  # without its number
+    return str(error) or type(error).__name__
+
+
 class EyeRenderEngine(bpy.types.RenderEngine):
     bl_idname = "EYE_RENDER"
     bl_label = "Eye Render"
@@ -38,7 +44,7 @@ class EyeRenderEngine(bpy.types.RenderEngine):
         except Exception as error:
             if not isinstance(error, EyeRenderError):
                 traceback.print_exc()
-            self._fail(str(error) or type(error).__name__)
+            self._fail(_sentence(error))
 
     def _end(self, error: OptionError) -> None:
         """A command line that cannot be followed ends Blender, unless somebody sits before it."""

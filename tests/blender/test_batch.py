@@ -235,7 +235,7 @@ def test_rays_that_the_eye_loses_are_told(run_blender, picture):
         # What the core refuses, once it knows the file, too.
         (
             ("--eye-wavefront", "{wavefront}", "--eye-pupil", "8"),
-            '--eye-pupil is "8", --eye-wavefront is "{wavefront}"; a wavefront measured over',
+            '--eye-pupil is "8", --eye-wavefront is "{wavefront}"; pupil_mm is 8 mm; expected',
         ),
         (
             ("--eye-wavefront", "{wavefront}", "--eye-side", "left"),

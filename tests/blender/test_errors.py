@@ -61,15 +61,24 @@ def test_what_cannot_be_rendered_exits_with_status_1_and_no_picture(
     assert not picture.exists()
 
 
-def test_an_exception_inside_the_render_exits_with_status_1_and_no_picture(run_blender, picture):
+@pytest.mark.parametrize(
+    ("error", "sentence"),
+    [
+        ("KeyError('broken on purpose')", "broken on purpose"),
+        ("FileNotFoundError(2, 'No such file', '/gone.txt')", "Error: /gone.txt: No such file"),
+    ],
+)
+def test_an_exception_inside_the_render_exits_with_status_1_and_no_picture(
+    run_blender, picture, error, sentence
+):
     script = (
         "import eye_render.export\n"
-        "def broken(*_): raise KeyError('broken on purpose')\n"
+        f"def broken(*_): raise {error}\n"
         "eye_render.export.export_scene = broken\n"
     )
     ended = run_blender(script=script)
     assert ended.returncode == 1
-    assert "broken on purpose" in ended.stdout + ended.stderr
+    assert sentence in ended.stdout + ended.stderr
     assert not picture.exists()
 
 
