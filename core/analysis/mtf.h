@@ -14,6 +14,7 @@
 #pragma once
 
 #include "analysis/spot.h"
+#include "optics/chromatic.h"
 
 #include <span>
 
@@ -28,7 +29,7 @@ namespace eye_render {
 
 struct RoundPupil {
     double diameter_m = 0.0;
-    double wavelength_nm = 555.0;
+    double wavelength_nm = reference_wavelength_nm;
 };
 
 [[nodiscard]] std::vector<double> wave_mtf(const Spot& spot,

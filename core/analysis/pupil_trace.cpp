@@ -2,7 +2,6 @@
 
 #include "base/sobol.h"
 #include "base/warp.h"
-#include "optics/chromatic.h"
 
 namespace eye_render {
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "eye/eye_model.h"
+#include "optics/chromatic.h"
 
 #include <cstdint>
 #include <vector>
@@ -54,7 +55,7 @@ struct PupilTrace {
 
 struct PupilTraceOptions {
     V2d chief_slope{0.0};
-    double wavelength_nm = 555.0;
+    double wavelength_nm = reference_wavelength_nm;
     std::uint32_t samples = 65536;  // a power of 2 fills the pupil most evenly
 };
 

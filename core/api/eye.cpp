@@ -86,13 +86,27 @@ std::unique_ptr<EyeModel> make_eye(const EyeDescription& description)
                             .worn = worn_lens(description)});
 }
 
-BlurEllipse blur_at(const EyeModel& eye, double object_distance_m)
+double object_vergence_d(double distance_m)
 {
-    if (!(object_distance_m > 0.0 && std::isfinite(1.0 / object_distance_m))) {
-        throw std::invalid_argument("distance_m is " + number_text(object_distance_m) +
-                                    " m; expected above 0");
+    // Written so that NaN is refused.
+    if (!(distance_m >= min_object_distance_m)) {
+        throw std::invalid_argument("distance_m is " + number_text(distance_m) +
+                                    " m; expected at least " + number_text(min_object_distance_m) +
+                                    " m");
     }
-    return blur_ellipse(eye.error_d(1.0 / object_distance_m), eye.pupil_diameter_m());
+    return 1.0 / distance_m;
+}
+
+BlurEllipse blur_at(const EyeModel& eye, double distance_m)
+{
+    return blur_ellipse(eye.error_d(object_vergence_d(distance_m)), eye.pupil_diameter_m());
+}
+
+double line_spread_arcmin(const EyeModel& eye, double line_deg, double distance_m)
+{
+    require_range("line_deg", line_deg, -360.0, 360.0, "degrees");
+    return line_spread_rms_arcmin(eye.error_d(object_vergence_d(distance_m)),
+                                  eye.pupil_diameter_m(), line_deg);
 }
 
 double far_point_m(const EyeModel& eye)

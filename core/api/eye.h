@@ -21,6 +21,9 @@
 
 namespace eye_render {
 
+// Nearer objects would touch the eye.
+inline constexpr double min_object_distance_m = 0.01;
+
 enum class Correction { None, Glasses, Contacts };
 
 inline constexpr std::array corrections{Correction::None, Correction::Glasses,
@@ -51,9 +54,16 @@ struct EyeDescription {
 // Throws std::invalid_argument with name, value, unit and range.
 [[nodiscard]] std::unique_ptr<EyeModel> make_eye(const EyeDescription& description);
 
-// The blur of a point at `object_distance_m` from the entrance pupil, above 0 up to infinity;
-// throws std::invalid_argument for other distances.
-[[nodiscard]] BlurEllipse blur_at(const EyeModel& eye, double object_distance_m);
+// Of an object `min_object_distance_m` from the entrance pupil or farther, up to infinity; throws
+// std::invalid_argument for other distances.
+[[nodiscard]] double object_vergence_d(double distance_m);
+
+// The blur of a point at that distance.
+[[nodiscard]] BlurEllipse blur_at(const EyeModel& eye, double distance_m);
+
+// Root mean square width of a line's spread across itself; `line_deg` is the line's own direction,
+// counter-clockwise from +X as the patient sees.
+[[nodiscard]] double line_spread_arcmin(const EyeModel& eye, double line_deg, double distance_m);
 
 // Where the eye's mean error vanishes: infinite for an emmetrope, negative behind a hyperope's
 // eye.

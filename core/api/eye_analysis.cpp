@@ -4,6 +4,7 @@
 #include "analysis/mtf.h"
 #include "analysis/psf.h"
 #include "analysis/through_focus.h"
+#include "api/eye.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "eye/eye_factory.h"
@@ -16,7 +17,7 @@ namespace {
 
 void require_wavelength(double wavelength_nm)
 {
-    require_range("wavelength_nm", wavelength_nm, 380.0, 780.0, "nm");
+    require_range("wavelength_nm", wavelength_nm, min_wavelength_nm, max_wavelength_nm, "nm");
 }
 
 void require_pupil(double pupil_mm)
@@ -29,15 +30,6 @@ void require_frequencies(std::span<const double> frequencies_cpd)
     for (const double frequency_cpd : frequencies_cpd) {
         require_range("frequencies_cpd", frequency_cpd, 0.0, 1e4, "cycles/degree");
     }
-}
-
-double checked_vergence_d(double distance_m)
-{
-    if (!(distance_m >= 0.01)) {
-        throw std::invalid_argument("distance_m is " + number_text(distance_m) +
-                                    " m; expected 0.01 m or more");
-    }
-    return 1.0 / distance_m;
 }
 
 PupilTrace trace(const EyeModel& eye, const PointView& view)
@@ -63,19 +55,19 @@ ThroughFocus focus_of(const EyeModel& eye)
 
 Spot spot(const EyeModel& eye, const PointView& view)
 {
-    const double object_vergence_d = checked_vergence_d(view.distance_m);
-    return make_spot(trace(eye, view), object_vergence_d);
+    const double vergence_d = object_vergence_d(view.distance_m);
+    return make_spot(trace(eye, view), vergence_d);
 }
 
 }  // namespace
 
 SpotDiagram spot_diagram(const EyeModel& eye, const PointView& view)
 {
-    const double object_vergence_d = checked_vergence_d(view.distance_m);
+    const double vergence_d = object_vergence_d(view.distance_m);
     const PupilTrace rays = trace(eye, view);
     SpotDiagram diagram;
     diagram.counts = rays.counts;
-    for (const SpotPoint& point : make_spot(rays, object_vergence_d).points) {
+    for (const SpotPoint& point : make_spot(rays, vergence_d).points) {
         diagram.points_arcmin.push_back(point.angle_rad * arcmin_from_rad(1.0));
         diagram.weights.push_back(point.weight);
     }

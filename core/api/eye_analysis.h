@@ -6,6 +6,7 @@
 #include "analysis/pupil_trace.h"
 #include "analysis/refraction.h"
 #include "eye/eye_model.h"
+#include "optics/chromatic.h"
 
 #include <limits>
 #include <optional>
@@ -16,9 +17,9 @@ namespace eye_render {
 
 // A point, and how its light is sampled.
 struct PointView {
-    double distance_m = std::numeric_limits<double>::infinity();  // along the axis, 0.01 or more
+    double distance_m = std::numeric_limits<double>::infinity();  // along the axis
     V2d field_deg{0.0};  // to the right and up from the axis, as the patient sees
-    double wavelength_nm = 555.0;
+    double wavelength_nm = reference_wavelength_nm;
     std::uint32_t samples = 65536;
 };
 

@@ -30,7 +30,7 @@ double focus_distance_m(const Observer& observer,
     switch (observer.focus) {
     case FocusMode::Distance:
         if (observer.focus_distance_m != std::numeric_limits<double>::infinity()) {
-            require_range("focus distance", observer.focus_distance_m, 0.01, 1e12, "m");
+            require_range("focus", observer.focus_distance_m, min_object_distance_m, 1e12, "m");
         }
         return observer.focus_distance_m;
     case FocusMode::Center:

@@ -46,13 +46,6 @@ double best_accommodation_d(const PowerMatrix& relaxed_error_d, double amplitude
     return std::clamp(0.0 - relaxed_error_d.mean_d(), 0.0, amplitude_d);
 }
 
-double far_vergence_d(const PowerMatrix& rx) { return -rx.mean_d(); }
-
-double near_vergence_d(const PowerMatrix& rx, double amplitude_d)
-{
-    return amplitude_d - rx.mean_d();
-}
-
 double distance_m(double vergence_d)
 {
     // Not 1/-0, which would put an emmetrope's far point behind the eye.

@@ -37,10 +37,6 @@ inline constexpr std::array amplitude_formulas{
 // the amplitude allows.
 [[nodiscard]] double best_accommodation_d(const PowerMatrix& relaxed_error_d, double amplitude_d);
 
-// Vergence of the mean far point: positive before the eye, 0 at infinity, negative behind it.
-[[nodiscard]] double far_vergence_d(const PowerMatrix& rx);
-[[nodiscard]] double near_vergence_d(const PowerMatrix& rx, double amplitude_d);
-
 // Distance of a vergence: infinite for 0, negative behind the eye.
 [[nodiscard]] double distance_m(double vergence_d);
 

@@ -41,7 +41,8 @@ std::unique_ptr<EyeModel> make_eye_of_kind(const EyeSpec& spec, SchematicEyeKind
 const Wavefront& measured_wavefront(const EyeSpec& spec)
 {
     if (!spec.wavefront) {
-        throw std::invalid_argument("the wavefront model needs the eye's wavefront");
+        throw std::invalid_argument(
+            "wavefront is missing; expected one for the model 'wavefront'");
     }
     require_covers(*spec.wavefront, spec.pupil_diameter_m);
     return *spec.wavefront;

@@ -42,10 +42,9 @@ void require_covers(const Wavefront& wavefront, double pupil_diameter_m)
     // Six digits are what a number keeps that was once written down.
     constexpr double rounding = 1.0 + 1e-6;
     if (pupil_diameter_m > wavefront.pupil_diameter_m * rounding) {
-        throw std::invalid_argument("a wavefront measured over a pupil of " +
-                                    number_text(mm_from_m(wavefront.pupil_diameter_m)) +
-                                    " mm says nothing about one of " +
-                                    number_text(mm_from_m(pupil_diameter_m)) + " mm");
+        throw std::invalid_argument("pupil_mm is " + number_text(mm_from_m(pupil_diameter_m)) +
+                                    " mm; expected at most the wavefront's " +
+                                    number_text(mm_from_m(wavefront.pupil_diameter_m)) + " mm");
     }
 }
 

@@ -25,7 +25,7 @@ inline constexpr double max_wavefront_pupil_m = 10e-3;
 struct Wavefront {
     std::vector<double> coefficients_um{};  // by OSA index from 0; what is missing is 0
     double pupil_diameter_m = 6e-3;         // of the pupil that the coefficients belong to
-    double wavelength_nm = 555.0;           // of the measurement
+    double wavelength_nm = reference_wavelength_nm;  // of the measurement
 };
 
 // Throws std::invalid_argument for more than 28 coefficients and for numbers out of range.

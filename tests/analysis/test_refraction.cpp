@@ -1,5 +1,7 @@
 #include "analysis/refraction.h"
 
+#include "../optics_vectors.h"
+
 #include "eye/eye_factory.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +15,19 @@ std::vector<ClearRange> ranges_of(const Prescription& rx, double amplitude_d)
     const PowerMatrix relaxed_d = make_eye(spec)->retinal_conjugate_d();
     spec.accommodation_d = amplitude_d;
     return clear_ranges(relaxed_d, make_eye(spec)->retinal_conjugate_d());
+}
+
+TEST(ClearRanges, go_from_the_far_to_the_near_point_of_the_vectors)
+{
+    for (const test::Json& vector : test::vectors_of_kind("best_accommodation")) {
+        EYE_TRACE_VECTOR(vector);
+        const test::Json& input = vector["input"];
+        const auto ranges = ranges_of(
+            {.sphere_d = input["S"], .cylinder_d = input["C"], .axis_deg = input["axis"]},
+            input["amplitude_D"]);
+        test::expect_vector_value(ranges[0].far_d, vector["expect"]["far_vergence_D"]);
+        test::expect_vector_value(ranges[0].near_d, vector["expect"]["near_vergence_D"]);
+    }
 }
 
 TEST(ClearRanges, of_a_sphere_are_one)

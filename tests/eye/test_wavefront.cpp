@@ -259,10 +259,9 @@ TEST(WavefrontEye, needs_a_wavefront_as_wide_as_its_pupil)
     };
     EXPECT_EQ(refusal(), "accepted");
     spec.pupil_diameter_m = 6.5e-3;
-    EXPECT_EQ(refusal(),
-              "a wavefront measured over a pupil of 6 mm says nothing about one of 6.5 mm");
+    EXPECT_EQ(refusal(), "pupil_mm is 6.5 mm; expected at most the wavefront's 6 mm");
     spec.wavefront.reset();
-    EXPECT_EQ(refusal(), "the wavefront model needs the eye's wavefront");
+    EXPECT_EQ(refusal(), "wavefront is missing; expected one for the model 'wavefront'");
     spec.wavefront = Wavefront{.coefficients_um = {NAN}};
     spec.model = EyeModelKind::Paraxial;
     EXPECT_EQ(refusal(), "wavefront coefficient 0 is nan um; expected -1000 to 1000 um");

@@ -125,8 +125,7 @@ TEST(Wavefront, refuses_to_grow_and_names_both_pupils)
         static_cast<void>(rescaled({.pupil_diameter_m = 5e-3}, 6e-3));
         FAIL() << "a pupil of 6 mm was accepted";
     } catch (const std::invalid_argument& error) {
-        EXPECT_STREQ(error.what(), "a wavefront measured over a pupil of 5 mm says nothing about "
-                                   "one of 6 mm");
+        EXPECT_STREQ(error.what(), "pupil_mm is 6 mm; expected at most the wavefront's 5 mm");
     }
     EXPECT_THROW(static_cast<void>(rescaled({}, 0.5e-3)), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(rescaled({}, NAN)), std::invalid_argument);

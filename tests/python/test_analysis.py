@@ -150,7 +150,7 @@ def test_rays_are_counted_by_what_became_of_them() -> None:
 @pytest.mark.parametrize(
     ("call", "sentence"),
     [
-        (lambda: eye().spot(0.0), "distance_m is 0 m; expected 0.01 m or more"),
+        (lambda: eye().spot(0.0), "distance_m is 0 m; expected at least 0.01 m"),
         (lambda: eye().spot(float("nan")), "distance_m is nan m"),
         (lambda: eye().psf(resolution=0), "resolution is 0 pixels; expected 1 to 4096"),
         (lambda: eye().psf(size_arcmin=-1.0), "size_arcmin is -1 arcmin; expected"),
