@@ -72,7 +72,7 @@ std::optional<FittedMaps> fitted_maps(const LensSystem& system,
     return FittedMaps{*chief, *stop, *aim, max_object_sine, radius_m};
 }
 
-class SurfaceEye final : public SchematicEye {
+class SurfaceEye final : public EyeModel {
 public:
     SurfaceEye(const SchematicBody& body, const SchematicSpec& spec)
         : body_(body), reference_(indices_at(body.system, reference_wavelength_nm)),
@@ -113,11 +113,6 @@ public:
     [[nodiscard]] double max_accommodation_d() const override { return body_.max_accommodation_d; }
 
     [[nodiscard]] double approximation_arcmin() const override { return fit_error_arcmin_; }
-
-    [[nodiscard]] double fitted_field_deg() const override
-    {
-        return maps_ ? deg_from_rad(std::asin(maps_->max_object_sine)) : 0.0;
-    }
 
 private:
     [[nodiscard]] EyeRay exact_ray(const V2d& object_sines,
@@ -229,7 +224,7 @@ std::string_view to_string(RefractionZero zero)
     return "";
 }
 
-std::unique_ptr<SchematicEye> make_schematic_eye(const SchematicSpec& spec)
+std::unique_ptr<EyeModel> make_schematic_eye(const SchematicSpec& spec)
 {
     return std::make_unique<SurfaceEye>(schematic_body(spec), spec);
 }

@@ -39,14 +39,6 @@ struct SchematicSpec {
     bool exact_trace = false;
 };
 
-class SchematicEye : public EyeModel {
-public:
-    // How far from the axis rays are fitted rather than traced; 0 for an eye that traces all. Over
-    // this field, the pupil and the visible wavelengths approximation_arcmin(), which is found by
-    // comparison when the eye is made, is at most 0.02.
-    [[nodiscard]] virtual double fitted_field_deg() const = 0;
-};
-
 // The mean sphere is made by the length of the vitreous body, the cylinder by a biconic anterior
 // cornea (each of its radii solved for its meridian), accommodation by the publication's own
 // parameter with the axial length kept; all to first order but for RefractionZero::MinimumRmsSpot,
@@ -55,7 +47,11 @@ public:
 // pupil is a round entrance pupil as seen from far away on the axis, and the stop is what makes it
 // so by real rays at 555 nm.
 //
+// Unless `exact_trace`, rays up to 40 degrees from the axis are fitted, or in a narrower field as
+// far as that does them right: over this field, the pupil and the visible wavelengths
+// approximation_arcmin(), which is found by comparison when the eye is made, is at most 0.02.
+//
 // Throws std::invalid_argument when no such eye exists.
-[[nodiscard]] std::unique_ptr<SchematicEye> make_schematic_eye(const SchematicSpec& spec);
+[[nodiscard]] std::unique_ptr<EyeModel> make_schematic_eye(const SchematicSpec& spec);
 
 }  // namespace eye_render

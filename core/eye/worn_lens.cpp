@@ -10,6 +10,7 @@
 #include "eye/models.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace eye_render {
 
@@ -71,9 +72,17 @@ public:
         return eye_->max_accommodation_d();
     }
 
+    // The lens turns an error of the eye's slope by I - d F, and by -F what it is off at the
+    // pupil, which the eye's ray reaches from the cornea with that error.
     [[nodiscard]] double approximation_arcmin() const override
     {
-        return eye_->approximation_arcmin();
+        const PowerMatrix& f = lens_.power_d;
+        const auto gain = [&](double f_d) {
+            return std::abs(1.0 - lens_.distance_m * f_d) +
+                   cornea_to_entrance_pupil_m * std::abs(f_d);
+        };
+        return eye_->approximation_arcmin() * std::max(gain(f.mean_d() + f.astigmatism_d()),
+                                                       gain(f.mean_d() - f.astigmatism_d()));
     }
 
 private:

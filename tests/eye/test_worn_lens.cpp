@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace eye_render {
 namespace {
@@ -33,6 +34,34 @@ TEST(WornLens, glasses_to_the_eyes_own_prescription_leave_no_error_at_infinity)
 {
     for (const Prescription& rx : {minus, plus}) {
         expect_near(wearing(rx, glasses(rx, vertex_m))->error_d(0.0), {}, rounding_d);
+    }
+}
+
+// The strongest lenses: what is near them is magnified most.
+TEST(WornLens, tells_what_it_makes_of_the_eyes_own_approximation)
+{
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> uniform(-1.0, 1.0);
+    for (const double sphere_d : {-25.0, 25.0}) {
+        EyeSpec spec{.model = EyeModelKind::Navarro, .rx = Prescription{.sphere_d = -4.0}};
+        const double bare_arcmin = make_eye(spec)->approximation_arcmin();
+        spec.worn = glasses({.sphere_d = sphere_d}, vertex_m);
+        const auto fitted = make_eye(spec);
+        spec.exact_trace = true;
+        const auto exact = make_eye(spec);
+        // 17.05 mm before the pupil, which lies 3.05 mm behind the cornea.
+        const double gain = std::abs(1.0 - 0.01705 * sphere_d) + 0.00305 * std::abs(sphere_d);
+        EXPECT_NEAR(fitted->approximation_arcmin(), gain * bare_arcmin, 1e-12);
+        EXPECT_GT(bare_arcmin, 0.0);
+        double largest_rad = 0.0;
+        for (int i = 0; i < 2000; ++i) {
+            const V2d u(0.25 * uniform(random), 0.25 * uniform(random));
+            const V2d p_m(1.4e-3 * uniform(random), 1.4e-3 * uniform(random));
+            const double nm = 580.0 + 200.0 * uniform(random);
+            const V2d off = fitted->ray(u, p_m, nm).slope - exact->ray(u, p_m, nm).slope;
+            largest_rad = std::max(largest_rad, off.length());
+        }
+        EXPECT_LE(arcmin_from_rad(largest_rad), fitted->approximation_arcmin()) << sphere_d;
     }
 }
 
