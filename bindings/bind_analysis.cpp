@@ -126,7 +126,7 @@ void bind_analysis(py::module_& m)
     constexpr std::array axis{0.0, 0.0};
     constexpr std::uint32_t samples = PointView{}.samples;
     constexpr std::uint32_t psf_samples = 1 << 18;
-    constexpr double wavelength_nm = 555.0;
+    constexpr double wavelength_nm = reference_wavelength_nm;
 
     auto eye = py::reinterpret_borrow<EyeClass>(m.attr("Eye"));
     eye.def(

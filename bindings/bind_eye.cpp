@@ -95,17 +95,25 @@ void bind_eye(py::module_& m)
         .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin)
         .def("__repr__", &blur_text);
 
-    py::class_<EyeModel, std::shared_ptr<EyeModel>>(m, "Eye", "An eye as a model sees through it.")
-        .def(py::init(&make_eye_from_python), "model"_a = "paraxial", "rx"_a = "plano",
-             "rx_plane"_a = "spectacle", "vertex_mm"_a = 12.0, "pupil_mm"_a = 4.0,
-             "accommodation_d"_a = 0.0, py::kw_only(), "correction"_a = "none",
-             "worn"_a = py::none(), "near_part"_a = false, "wavefront"_a = py::none(),
-             "refraction_zero"_a = "paraxial", "exact_trace"_a = false)
-        .def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a, "wavelength_nm"_a = 555.0,
-             "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
-             "2).")
+    const EyeDescription usual;
+    py::class_<EyeModel, std::shared_ptr<EyeModel>> eye(m, "Eye",
+                                                        "An eye as a model sees through it.");
+    define_init(
+        eye, &make_eye_from_python,
+        std::tuple_cat(refraction_keywords(),
+                       std::make_tuple("pupil_mm"_a = usual.pupil_mm,
+                                       "accommodation_d"_a = usual.accommodation_d, py::kw_only()),
+                       eye_keywords()));
+    eye.def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a,
+            "wavelength_nm"_a = reference_wavelength_nm,
+            "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
+            "2).")
         .def("blur_ellipse", &blur_at, "distance_m"_a = std::numeric_limits<double>::infinity(),
              "In closed form, of focus and astigmatism alone; spot_ellipse is of all aberrations.")
+        .def("line_spread_arcmin", &line_spread_arcmin, "line_deg"_a,
+             "distance_m"_a = std::numeric_limits<double>::infinity(),
+             "RMS width of a line's spread across itself, in closed form; line_deg is the line's\n"
+             "own direction, counter-clockwise from +X as the patient sees it.")
         .def_property_readonly(
             "far_point_m", [](const EyeModel& eye) { return far_point_m(eye); },
             "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"
@@ -118,6 +126,7 @@ void bind_eye(py::module_& m)
             return py::make_tuple(py::make_tuple(k.xx_d, k.xy_d), py::make_tuple(k.xy_d, k.yy_d));
         });
 
+    const PupilConditions usual_light;
     m.def(
         "pupil_diameter_mm",
         [](const std::string& formula, double luminance_cd_m2, double area_deg2, double age_years,
@@ -128,8 +137,8 @@ void bind_eye(py::module_& m)
                                       .age_years = age_years,
                                       .eyes = eyes});
         },
-        "formula"_a, "luminance_cd_m2"_a, "area_deg2"_a = 3600.0, "age_years"_a = 30.0,
-        "eyes"_a = 2,
+        "formula"_a, "luminance_cd_m2"_a, "area_deg2"_a = usual_light.area_deg2,
+        "age_years"_a = usual_light.age_years, "eyes"_a = usual_light.eyes,
         "Diameter of the entrance pupil, clamped to 1.5 to 9 mm; luminance is taken as 1e-6 to\n"
         "1e6 cd/m2 and age as 20 to 83 years. ValueError for a negative luminance.");
     m.def(

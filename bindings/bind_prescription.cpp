@@ -74,6 +74,18 @@ void bind_prescription(py::module_& m)
                  return "Prescription('" + format_prescription(rx) + "')";
              })
         .def("transposed", &transposed, "The same lens in the other cylinder form.")
+        .def("crossed", &crossed, "other"_a,
+             "The lens that both make in contact, whatever their axes; the side is the first's.")
+        .def(
+            "meridional_power",
+            [](const Prescription& rx, double meridian_deg) {
+                const MeridionalPower power =
+                    meridional_power(power_matrix_tabo(rx), meridian_deg);
+                return py::make_tuple(power.curvital_d, power.torsional_d);
+            },
+            "meridian_deg"_a,
+            "(curvital, torsional) in dioptres, TABO frame: how much a ray that enters on the\n"
+            "meridian is bent along it, and how much out of it.")
         .def(
             "power_vector",
             [](const Prescription& rx) {

@@ -6,6 +6,7 @@
 #include "module.h"
 
 #include <string>
+#include <tuple>
 
 namespace eye_render {
 
@@ -49,7 +50,30 @@ template <typename Table>
     return parse_prescription(rx.cast<std::string>());
 }
 
-// What Eye and Observer are both told of an eye.
+// The keywords of what Eye and Observer are both told of an eye, in the order of eye_from_python:
+// the refraction, and after what only one of them is told, the rest.
+[[nodiscard]] inline auto refraction_keywords()
+{
+    using namespace py::literals;
+    return std::make_tuple("model"_a = "paraxial", "rx"_a = "plano", "rx_plane"_a = "spectacle",
+                           "vertex_mm"_a = EyeDescription{}.vertex_mm);
+}
+
+[[nodiscard]] inline auto eye_keywords()
+{
+    using namespace py::literals;
+    return std::make_tuple("correction"_a = "none", "worn"_a = py::none(), "near_part"_a = false,
+                           "wavefront"_a = py::none(), "refraction_zero"_a = "paraxial",
+                           "exact_trace"_a = false);
+}
+
+// Defines the constructor `make` with keywords and text from a tuple.
+template <typename Class, typename Make, typename Keywords>
+void define_init(Class& target, const Make& make, const Keywords& keywords)
+{
+    std::apply([&](const auto&... keyword) { target.def(py::init(make), keyword...); }, keywords);
+}
+
 [[nodiscard]] inline EyeDescription eye_from_python(const std::string& model,
                                                     const py::object& rx,
                                                     const std::string& rx_plane,

@@ -51,6 +51,17 @@ void bind_wavefront(py::module_& m)
         .def_static("population", &population, "pupil_mm"_a, "eye"_a = "OD",
                     "The mean of 200 healthy eyes (Thibos et al. 2002), right (OD) or left (OS),\n"
                     "over a pupil of 1 to 7.5 mm.")
+        .def_static(
+            "corrected_by",
+            [](const Prescription& rx, double pupil_mm) {
+                const Wavefront wavefront =
+                    wavefront_corrected_by(power_vector(rx), m_from_mm(pupil_mm));
+                require_valid(wavefront);
+                return wavefront;
+            },
+            "rx"_a, "pupil_mm"_a,
+            "Defocus and astigmatism that a lens in the plane of the pupil corrects; rx() gives "
+            "it back.")
         .def_readonly("coefficients_um", &Wavefront::coefficients_um)
         .def_property_readonly("pupil_mm",
                                [](const Wavefront& w) { return mm_from_m(w.pupil_diameter_m); })

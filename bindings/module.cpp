@@ -11,6 +11,8 @@ PYBIND11_MODULE(eyecore, m)
     eye_render::bind_eye(m);
     eye_render::bind_nodes(m);
     eye_render::bind_scene(m);
+    eye_render::bind_observer(m);
+    eye_render::bind_settings(m);
     eye_render::bind_render(m);
     eye_render::bind_analysis(m);
 }

@@ -24,8 +24,10 @@ void bind_wavefront(py::module_& m);
 void bind_eye(py::module_& m);
 void bind_nodes(py::module_& m);
 void bind_scene(py::module_& m);  // after bind_nodes
-void bind_render(py::module_& m);
-void bind_analysis(py::module_& m);  // after bind_eye and bind_render, whose classes it extends
+void bind_observer(py::module_& m);
+void bind_settings(py::module_& m);
+void bind_render(py::module_& m);  // after those of what a session is made of
+void bind_analysis(py::module_& m);  // after bind_eye and bind_observer, whose classes it uses
 
 // Arrays of any layout and number type are taken; C order of the wanted type costs no copy.
 template <typename T>
