@@ -44,7 +44,7 @@ def pupil_by(session: RenderSession, where: str) -> Pupil:
 # By the full name of the camera's data: its evaluated copies share it, and undo keeps it.
 _last_pupil: dict[str, Pupil] = {}
 _first_pupil_of_render: dict[str, Pupil] = {}
-_last_focus_m: dict[str, float] = {}
+_last_centre_m: dict[str, float] = {}
 
 
 def remember_pupil(camera: bpy.types.Camera, pupil: Pupil) -> None:
@@ -63,13 +63,13 @@ def first_pupil_of_render(camera: bpy.types.Camera) -> Pupil | None:
 
 
 def remember_focus(camera: bpy.types.Camera, session: RenderSession) -> None:
-    if "focus_m" in session.facts:
-        _last_focus_m[camera.name_full] = session.facts["focus_m"]
+    if session.facts["focus"] == "center":
+        _last_centre_m[camera.name_full] = session.facts["focus_m"]
 
 
-def last_focus_m(camera: bpy.types.Camera) -> float | None:
-    """What the eye looked at in the last render, if at anything."""
-    return _last_focus_m.get(camera.name_full)
+def last_centre_m(camera: bpy.types.Camera) -> float | None:
+    """How far away the image centre was when an eye last looked at it."""
+    return _last_centre_m.get(camera.name_full)
 
 
 @persistent
@@ -79,7 +79,7 @@ def _render_begins(*_):
 
 @persistent
 def _file_is_left(*_):
-    for memory in (_first_pupil_of_render, _last_pupil, _last_focus_m):
+    for memory in (_first_pupil_of_render, _last_pupil, _last_centre_m):
         memory.clear()
 
 

@@ -36,7 +36,7 @@ def _summary_of(
     settings = camera.data.eye_render
     overrides = batch.overrides
     unknown = []  # what only a render finds
-    pupil = None
+    pupil = centre_m = None
     if has_automatic_pupil(settings, overrides):
         pupil = found.last_pupil(camera.data)
         if pupil is None:
@@ -45,7 +45,7 @@ def _summary_of(
     depsgraph = context.view_layer.depsgraph
     focus_m = focus_distance_m(depsgraph, camera, np.array(camera.matrix_world))
     if focus(settings, overrides, focus_m) == "center":
-        centre_m = found.last_focus_m(camera.data)
+        centre_m = found.last_centre_m(camera.data)
         if centre_m is None:
             unknown.append("what is at the image centre")
         overrides = replace(overrides, focus=centre_m or "relaxed")
@@ -63,8 +63,9 @@ def _summary_of(
         return Summary(str(error))
     if unknown:
         line = f"Blur: the first render finds {' and '.join(unknown)}"
-    elif pupil:
-        line += f", as found in {pupil.where}"
+    else:
+        line += f", as found in {pupil.where}" if pupil else ""
+        line += "; image centre as the last render found it" if centre_m else ""
     if is_one_of_two:
         return Summary(_of_eye(eye, line), _of_eye(eye, accommodation))
     return Summary(line, accommodation)

@@ -57,7 +57,17 @@ def test_what_only_a_render_finds_is_said(scene, observer, render):
     assert line(scene).endswith("finds the pupil and what is at the image centre")
     render()
     assert "at infinity" in line(scene)
-    assert line(scene).endswith(" mm, as found in frame 1")
+    assert line(scene).endswith(
+        " mm, as found in frame 1; image centre as the last render found it"
+    )
+    observer.pupil_mode, observer.focus_mode = "MANUAL", "DISTANCE"
+    assert line(scene).endswith(" mm")
+
+
+def test_the_image_centre_is_not_what_another_render_was_focused_at(scene, observer, render):
+    render()  # looks at 0.5 m
+    observer.focus_mode = "CENTER"
+    assert line(scene) == "Blur: the first render finds what is at the image centre"
 
 
 def test_in_stereo_there_is_a_line_for_each_eye(scene, observer):
