@@ -22,14 +22,14 @@ std::shared_ptr<SceneBuilder> wall(double distance, float radiance)
     mesh.name = "wall";
     mesh.positions = {{-100, -100, 0}, {100, -100, 0}, {100, 100, 0}, {-100, 100, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    Material material;
-    material.surface = Surface::Emission;
-    material.emission_color.constant = Color3f(1.0f);
-    material.emission_strength.constant = Color3f(radiance);
+    NodeGraph graph;
+    const std::size_t emission = graph.add("EMISSION");
+    graph.set(emission, "Color", V3f(1.0f));
+    graph.set(emission, "Strength", V3f(radiance));
     M44d at;
     at.setTranslation(V3d(0, 0, -distance));
     scene->add_mesh(mesh);
-    scene->add_material(material);
+    scene->add_material("wall", graph, graph.output(emission, "Emission"));
     scene->add_instance({.mesh = 0, .world_from_object = at, .materials = {0}});
     CameraFrame frame;
     frame.width_px = frame.height_px = 16;
@@ -170,7 +170,9 @@ TEST(Engine, scene_without_any_light_is_told)
     EXPECT_EQ(told(wall(2.0, 0.0f)), dark);
     EXPECT_TRUE(told(wall(2.0, 0.1f)).empty());
     const auto under_the_sky = wall(2.0, 0.0f);
-    under_the_sky->set_world({.color = Color3f(1.0f)});
+    NodeGraph sky;
+    const std::size_t background = sky.add("BACKGROUND");
+    under_the_sky->set_world(sky, sky.output(background, "Background"));
     EXPECT_TRUE(told(under_the_sky).empty());
     const auto under_a_lamp = [&](float power) {
         const auto scene = wall(2.0, 0.0f);

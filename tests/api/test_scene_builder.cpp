@@ -64,19 +64,54 @@ TEST(SceneBuilder, refuses_a_camera_that_sees_nothing)
     EXPECT_EQ(refusal([&] { scene.set_camera(frame); }), "border y1 is 9 px; expected 1 to 8 px");
 }
 
-TEST(SceneBuilder, layer_names_have_one_number_each)
+TEST(SceneBuilder, layers_that_a_material_reads_have_one_number_each)
 {
     SceneBuilder scene;
-    EXPECT_EQ(scene.uv_layer("a"), 0);
-    EXPECT_EQ(scene.uv_layer(""), 1);
-    EXPECT_EQ(scene.uv_layer("a"), 0);
     const std::vector<float> pixel(4, 1.0f);
     scene.textures().add_pixels("p", PixelsF32{.width = 1, .height = 1, .rgba = pixel}, {});
-    Material material;
-    material.roughness.texture = 0;
-    material.roughness.uv_layer = 1;
-    const std::size_t number = scene.add_material(material);
-    EXPECT_EQ(scene.uv_layers_read({number}), std::vector<std::string>{""});
+    const auto textured = [&scene](const std::string& layer) {
+        NodeGraph graph;
+        const std::size_t map = graph.add("UVMAP", NodeOptions({{"uv_map", layer}}));
+        const std::size_t image = graph.add("TEX_IMAGE", NodeOptions({{"texture", 0.0}}));
+        const std::size_t emission = graph.add("EMISSION");
+        graph.link(image, "Vector", graph.output(map, "UV"));
+        graph.link(emission, "Color", graph.output(image, "Color"));
+        return scene.add_material(layer, graph, graph.output(emission, "Emission"));
+    };
+    const std::size_t first = textured("b");
+    const std::size_t second = textured("a");
+    const std::size_t third = textured("b");
+    const std::size_t active = textured("");
+    EXPECT_EQ(scene.data().uv_layer_names, (std::vector<std::string>{"", "b", "a"}));
+    EXPECT_EQ(scene.data().materials[first].uv_layers, scene.data().materials[third].uv_layers);
+    EXPECT_EQ(scene.uv_layers_read({second, first}), (std::vector<std::string>{"b", "a"}));
+    EXPECT_EQ(scene.uv_layers_read({active}), std::vector<std::string>{""});
+}
+
+TEST(SceneBuilder, attributes_that_no_material_reads_have_no_number)
+{
+    SceneBuilder scene;
+    NodeGraph graph;
+    const std::size_t read = graph.add("ATTRIBUTE", NodeOptions({{"attribute_name", "wear"}}));
+    graph.add("ATTRIBUTE", NodeOptions({{"attribute_name", "unread"}}));
+    const std::size_t emission = graph.add("EMISSION");
+    graph.link(emission, "Color", graph.output(read, "Color"));
+    const std::size_t number =
+        scene.add_material("m", graph, graph.output(emission, "Emission"), std::nullopt, 3);
+    EXPECT_EQ(scene.attributes_read({number}), std::vector<std::string>{"wear"});
+    EXPECT_EQ(scene.data().attribute_names, std::vector<std::string>{"wear"});
+    EXPECT_EQ(scene.data().materials[number].pass_index, 3);
+}
+
+TEST(SceneBuilder, refuses_a_texture_that_does_not_exist)
+{
+    SceneBuilder scene;
+    NodeGraph graph;
+    const std::size_t image = graph.add("TEX_IMAGE", NodeOptions({{"texture", 2.0}}));
+    const std::optional<NodeOutput> surface = graph.output(image, "Color");
+    EXPECT_EQ(refusal([&] { scene.add_material("m", graph, surface); }),
+              "texture 2 does not exist; there are 0");
+    EXPECT_TRUE(scene.data().materials.empty());
 }
 
 }  // namespace

@@ -14,20 +14,31 @@ namespace eye_render::test {
 
 inline Material diffuse(float albedo)
 {
-    Material material;
-    material.surface = Surface::Diffuse;
-    material.base_color.constant = Color3f(albedo);
-    return material;
+    return plain_material("BSDF_DIFFUSE", {{"Color", V3f(albedo)}});
+}
+
+inline Material emission(float radiance)
+{
+    return plain_material("EMISSION", {{"Color", V3f(1.0f)}, {"Strength", V3f(radiance)}});
+}
+
+inline Material transparent(float share)
+{
+    return plain_material("BSDF_TRANSPARENT", {{"Color", V3f(share)}});
 }
 
 inline Material emissive_diffuse(float albedo, float radiance)
 {
-    Material material;
-    material.base_color.constant = Color3f(albedo);
-    material.specular.constant = Color3f(0.0f);
-    material.emission_color.constant = Color3f(1.0f);
-    material.emission_strength.constant = Color3f(radiance);
-    return material;
+    return plain_material("BSDF_PRINCIPLED", {{"Base Color", V3f(albedo)},
+                                              {"Specular IOR Level", V3f(0.0f)},
+                                              {"Emission Color", V3f(1.0f)},
+                                              {"Emission Strength", V3f(radiance)}});
+}
+
+// A world of the same radiance everywhere.
+inline Material even_world(float radiance)
+{
+    return plain_material("BACKGROUND", {{"Color", V3f(radiance)}});
 }
 
 // A square of half width `h` in the plane z = 0, facing +Z.

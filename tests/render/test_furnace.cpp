@@ -16,14 +16,16 @@ using test::expect_matches;
 // what one meeting with a rough surface may gain or lose.
 constexpr double table_error = 3e-3;
 
-Material rough(Surface surface, float roughness)
+Material metal(float roughness, const char* distribution)
 {
-    Material material;
-    material.surface = surface;
-    material.base_color.constant = Color3f(1.0f);
-    material.roughness.constant = Color3f(roughness);
-    material.ior.constant = Color3f(1.5f);
-    return material;
+    return plain_material("BSDF_GLOSSY", {{"Color", V3f(1.0f)}, {"Roughness", V3f(roughness)}},
+                          NodeOptions({{"distribution", distribution}}));
+}
+
+Material glass(float roughness)
+{
+    return plain_material(
+        "BSDF_GLASS", {{"Color", V3f(1.0f)}, {"Roughness", V3f(roughness)}, {"IOR", V3f(1.5f)}});
 }
 
 // In a world of radiance 1, before the eye. Flat facets: what interpolated normals lose is another
@@ -32,7 +34,7 @@ SceneData ball_in_white_world(const Material& material)
 {
     SceneData data;
     test::place(data, test::ball(1.0f, 24), V3d(0.0, 0.0, -3.0), material);
-    data.world.color = Color3f(1.0f);
+    data.world = test::even_world(1.0f);
     return data;
 }
 
@@ -81,7 +83,7 @@ TEST(Furnace, white_surface_vanishes_in_a_white_world)
 {
     SceneData data;
     test::place(data, test::square(1.0f), V3d(0.0, 0.0, -2.0), test::diffuse(1.0f));
-    data.world.color = Color3f(1.0f);
+    data.world = test::even_world(1.0f);
     const Scene scene(data, V3d(0.0));
     expect_matches(estimate(scene, {.max_bounces = 4}, {}, 4000), 1.0);
 }
@@ -89,7 +91,7 @@ TEST(Furnace, white_surface_vanishes_in_a_white_world)
 TEST(Furnace, white_metal_ball_vanishes_whatever_its_roughness)
 {
     for (const float roughness : {0.3f, 0.7f, 1.0f}) {
-        const SceneData data = ball_in_white_world(rough(Surface::Glossy, roughness));
+        const SceneData data = ball_in_white_world(metal(roughness, "MULTI_GGX"));
         const Scene scene(data, V3d(0.0));
         for (const Ray& ray : rays_to_ball()) {
             const Estimate found = estimate(scene, {.max_bounces = 4}, ray, 10000);
@@ -102,9 +104,7 @@ TEST(Furnace, white_metal_ball_vanishes_whatever_its_roughness)
 TEST(Furnace, metal_without_compensation_loses_what_single_scattering_loses)
 {
     for (const float roughness : {0.3f, 0.7f, 1.0f}) {
-        Material metal = rough(Surface::Glossy, roughness);
-        metal.multiple_scattering = false;
-        const SceneData data = ball_in_white_world(metal);
+        const SceneData data = ball_in_white_world(metal(roughness, "GGX"));
         const Scene scene(data, V3d(0.0));
         for (const Ray& ray : rays_to_ball()) {
             const auto hit = scene.intersect(ray);
@@ -125,7 +125,7 @@ TEST(Furnace, white_glass_ball_vanishes_whatever_its_roughness)
     // leaves: 60 % of it is reflected at index 1.5. Once it came in.
     constexpr double meetings = 3.5;
     for (const float roughness : {0.0f, 0.3f, 0.7f, 1.0f}) {
-        const SceneData data = ball_in_white_world(rough(Surface::Glass, roughness));
+        const SceneData data = ball_in_white_world(glass(roughness));
         const Scene scene(data, V3d(0.0));
         for (const Ray& ray : rays_to_ball()) {
             const Estimate found = estimate(scene, {.max_bounces = 128}, ray, 5000);

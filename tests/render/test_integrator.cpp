@@ -62,27 +62,21 @@ TEST(Integrator, half_transparent_square_lets_half_of_the_light_pass)
 {
     SceneData data;
     test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
-    Material veil;
-    veil.surface = Surface::Transparent;
-    veil.base_color.constant = Color3f(0.5f);
     data.lamps.push_back(test::point_lamp(V3d(1.0, 0.0, -2.0), 100.0f));
     const Scene open(data, V3d(0.0));
     const double without = estimate(open, {.max_bounces = 0}, {}, 16).mean;
-    test::place(data, test::square(0.4f), V3d(0.5, 0.0, -2.5), veil);
+    test::place(data, test::square(0.4f), V3d(0.5, 0.0, -2.5), test::transparent(0.5f));
     const Scene veiled(data, V3d(0.0));
     expect_matches(estimate(veiled, {.max_bounces = 0}, {}, 16), 0.5 * without);
 }
 
 TEST(Integrator, a_clear_sheet_changes_nothing_at_any_bounce)
 {
-    Material clear;
-    clear.surface = Surface::Transparent;
-    clear.base_color.constant = Color3f(1.0f);
     for (const int max_bounces : {0, 1, 4}) {
         SceneData data;
         test::place(data, test::square(2.0f), V3d(0.0, 0.0, -2.0), test::diffuse(0.5f));
-        test::place(data, test::square(50.0f), V3d(0.0, 0.0, -1.0), clear);
-        data.world.color = Color3f(1.0f);
+        test::place(data, test::square(50.0f), V3d(0.0, 0.0, -1.0), test::transparent(1.0f));
+        data.world = test::even_world(1.0f);
         const Scene scene(data, V3d(0.0));
         SCOPED_TRACE(max_bounces);
         expect_matches(estimate(scene, {.max_bounces = max_bounces}, {}, 4000), 0.5);
@@ -104,12 +98,10 @@ TEST(Integrator, thin_plate_close_to_a_far_lamp_casts_its_shadow)
 
 TEST(Integrator, lamp_without_shadows_shines_through_on_a_glossy_floor)
 {
-    Material glossy;
-    glossy.surface = Surface::Glossy;
-    glossy.base_color.constant = Color3f(0.8f);
+    const Material glossy =
+        plain_material("BSDF_GLOSSY", {{"Color", V3f(0.8f)}, {"Roughness", V3f(0.4f)}});
     const auto seen = [&glossy](bool is_blocked, bool casts_shadow) {
         SceneData data;
-        glossy.roughness.constant = Color3f(0.4f);
         test::place(data, test::square(5.0f), V3d(0.0, 0.0, -3.0), glossy);
         LampData lamp = test::point_lamp(V3d(0.2, 0.0, 0.5), 100.0f);
         lamp.settings.radius = 0.3f;
@@ -168,7 +160,7 @@ TEST(Integrator, transparent_film_leaves_the_world_out_and_keeps_coverage)
 {
     SceneData data;
     test::place(data, test::square(0.5f), V3d(0.0, 0.0, -3.0), test::diffuse(0.5f));
-    data.world.color = Color3f(1.0f);
+    data.world = test::even_world(1.0f);
     const Scene scene(data, V3d(0.0));
     const IntegratorSettings settings{.film_transparent = true};
     SampleSequence hit_sequence(1, 0);

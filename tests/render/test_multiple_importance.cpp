@@ -20,8 +20,7 @@ struct LitSurface {
     LitPoint point;
 
     LitSurface(const Scene& lit_scene, const Ray& ray)
-        : scene(lit_scene), hit(scene.intersect(ray).value()),
-          shaded(shade(hit.material(), hit.point, scene.attributes(hit)))
+        : scene(lit_scene), hit(scene.intersect(ray).value()), shaded(scene.shade(hit, {}))
     {
         scene.weigh_lights(hit.p_world, hit.point.ng, point);
     }
@@ -59,7 +58,7 @@ struct LitSurface {
             scene.visit_lamps(point, ray.direction, 0.0f, beyond ? beyond->t : ray.t_max,
                               [&](const LampContribution& lamp) { radiance += lamp.radiance.x; });
             if (!beyond) {
-                radiance += scene.background(ray.direction).x;
+                radiance += scene.background(ray.direction, {}).x;
             }
             return static_cast<double>(sample->weight.x * radiance);
         });
@@ -72,6 +71,20 @@ void expect_agree(const Estimate& a, const Estimate& b)
     EXPECT_GT(a.mean, 0.0);
     EXPECT_NEAR(a.mean, b.mean, 4.0 * std::hypot(a.standard_error, b.standard_error))
         << "standard errors " << a.standard_error << " and " << b.standard_error;
+}
+
+// Of what is seen straight ahead.
+void expect_all_agree(const SceneData& data)
+{
+    const Scene scene(data, V3d(0.0));
+    const Ray ray;
+    const LitSurface surface(scene, ray);
+    const Estimate by_light = surface.by_light_sampling(40000);
+    const Estimate by_bsdf = surface.by_bsdf_sampling(40000);
+    const Estimate by_both = estimate(scene, {.max_bounces = 0}, ray, 20000);
+    expect_agree(by_light, by_bsdf);
+    expect_agree(by_both, by_light);
+    expect_agree(by_both, by_bsdf);
 }
 
 // A plane square to the view, with a lamp of 1 m beside the eye, half of it behind a blind.
@@ -88,42 +101,21 @@ SceneData plane_under_area_lamp(const Material& material)
 
 Material glossy(float roughness)
 {
-    Material material;
-    material.surface = Surface::Glossy;
-    material.base_color.constant = Color3f(0.8f);
-    material.roughness.constant = Color3f(roughness);
-    return material;
+    return plain_material("BSDF_GLOSSY", {{"Color", V3f(0.8f)}, {"Roughness", V3f(roughness)}});
 }
 
 class MultipleImportance : public testing::TestWithParam<float> {};
 
 TEST_P(MultipleImportance, light_and_bsdf_sampling_of_an_area_lamp_agree_with_both_together)
 {
-    const SceneData data = plane_under_area_lamp(glossy(GetParam()));
-    const Scene scene(data, V3d(0.0));
-    const Ray ray;
-    const LitSurface surface(scene, ray);
-    const Estimate by_light = surface.by_light_sampling(20000);
-    const Estimate by_bsdf = surface.by_bsdf_sampling(40000);
-    const Estimate by_both = estimate(scene, {.max_bounces = 0}, ray, 20000);
-    expect_agree(by_light, by_bsdf);
-    expect_agree(by_both, by_light);
-    expect_agree(by_both, by_bsdf);
+    expect_all_agree(plane_under_area_lamp(glossy(GetParam())));
 }
 
 TEST_P(MultipleImportance, a_lamp_and_the_world_together_agree_as_well)
 {
     SceneData data = plane_under_area_lamp(glossy(GetParam()));
-    data.world.color = Color3f(0.5f);
-    const Scene scene(data, V3d(0.0));
-    const Ray ray;
-    const LitSurface surface(scene, ray);
-    const Estimate by_light = surface.by_light_sampling(40000);
-    const Estimate by_bsdf = surface.by_bsdf_sampling(40000);
-    const Estimate by_both = estimate(scene, {.max_bounces = 0}, ray, 20000);
-    expect_agree(by_light, by_bsdf);
-    expect_agree(by_both, by_light);
-    expect_agree(by_both, by_bsdf);
+    data.world = test::even_world(0.5f);
+    expect_all_agree(data);
 }
 
 INSTANTIATE_TEST_SUITE_P(Roughness, MultipleImportance, testing::Values(0.3f, 0.6f, 1.0f));

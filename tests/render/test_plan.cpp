@@ -3,6 +3,7 @@
 #include "render/plan.h"
 
 #include "eye/eye_factory.h"
+#include "scene_graphs.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ TEST(Plan, plain_scene_without_images_starts_nothing)
 {
     SceneData data;
     test::place(data, test::square(1.0f), V3d(0, 0, -50.0), test::diffuse(0.5f));
-    data.world.color = Color3f(1.0f);
+    data.world = test::even_world(1.0f);
     const RenderPlan plan = plan_for(data, 0.0);
     EXPECT_EQ(plan.images, 0u);
     EXPECT_TRUE(plan.uv_layers.empty());
@@ -106,18 +107,11 @@ TEST(Plan, eye_inside_an_object_needs_the_lens_even_without_a_near_plane)
 TEST(Plan, textured_glass_under_a_picture_of_the_sky)
 {
     SceneData data;
-    data.uv_layer_names = {"UVMap", "unread"};
-    const std::vector<float> pixels(16, 0.5f);
-    const int texture =
-        data.textures.add_pixels("grey", PixelsF32{.width = 2, .height = 2, .rgba = pixels}, {});
-    Material textured = test::diffuse(0.5f);
-    textured.base_color.texture = texture;
-    textured.base_color.uv_layer = 0;
-    test::place(data, test::cube(1.0f), V3d(0, 0, -5), textured);
-    Material veil;
-    veil.alpha.constant = Color3f(0.5f);
-    test::place(data, test::square(1.0f), V3d(0, 0, -3), veil);
-    data.world.texture = texture;
+    test::add_grey_picture(data);
+    test::place(data, test::cube(1.0f), V3d(0, 0, -5), test::pictured(data, "UVMap"));
+    test::place(data, test::square(1.0f), V3d(0, 0, -3),
+                plain_material("BSDF_PRINCIPLED", {{"Alpha", V3f(0.5f)}}));
+    data.world = test::pictured_world(data);
     const RenderPlan plan = plan_for(data, 0.0, {Pass::Combined, Pass::Depth, Pass::Normal});
     EXPECT_EQ(plan.images, 1u);
     EXPECT_EQ(plan.uv_layers, std::vector<std::string>{"UVMap"});

@@ -3,6 +3,7 @@
 #include "scene/environment.h"
 
 #include "../base/chi_squared.h"
+#include "../shading/made_up_hit.h"
 #include "base/units.h"
 #include "base/warp.h"
 #include "scene/textures.h"
@@ -15,6 +16,49 @@
 namespace eye_render {
 namespace {
 
+constexpr PathState seen;
+constexpr PathState lighting{.is_camera = false, .depth = 1};
+
+// A world, and all that it stands on.
+class World {
+public:
+    World() = default;
+    World(const World&) = delete;
+    World& operator=(const World&) = delete;
+
+    // `surface` is a Background, or what shines in the place of one.
+    void build(const NodeGraph& graph, const NodeOutput& surface)
+    {
+        test::AnyResources resources;
+        material_ = make_material("world", graph, surface, std::nullopt, resources);
+        frame_.textures = &textures;
+        environment = Environment(material_, frame_);
+    }
+    void build(const Material& material)
+    {
+        material_ = material;
+        frame_.textures = &textures;
+        environment = Environment(material_, frame_);
+    }
+    // Texture 0 around the scene.
+    void build_picture(float strength = 1.0f)
+    {
+        NodeGraph graph;
+        const std::size_t picture = graph.add("TEX_ENVIRONMENT", NodeOptions({{"texture", 0.0}}));
+        const std::size_t background = graph.add("BACKGROUND");
+        graph.link(background, "Color", graph.output(picture, "Color"));
+        graph.set(background, "Strength", V3f(strength));
+        build(graph, graph.output(background, "Background"));
+    }
+
+    TextureSet textures;
+    Environment environment;
+
+private:
+    Material material_;
+    SceneFrame frame_;
+};
+
 // Blender 3.4.1: directions_8x4.exr as the world's Environment Texture, linear interpolation, seen
 // by a camera 1e-4 rad wide looking along the direction; 32-bit EXR, mean of the pixels.
 struct CyclesFigure {
@@ -22,54 +66,30 @@ struct CyclesFigure {
     float red, green;
 };
 
-void expect_figures(const Environment& environment, std::initializer_list<CyclesFigure> figures)
+TEST(Environment, directions_map_to_the_picture_as_in_cycles)
 {
-    for (const CyclesFigure& f : figures) {
-        const Color3f radiance = environment.radiance(f.direction.normalized());
+    World world;
+    world.textures.add_file(std::string(EYE_TEST_DATA_DIR) + "/textures/directions_8x4.exr",
+                            {.colorspace = Colorspace::Linear});
+    world.build_picture();
+    for (const CyclesFigure& f :
+         std::initializer_list<CyclesFigure>{{{1, 0, .1f}, 1.71862f, 1.22146f},
+                                             {{0, 1, .1f}, 1.17663f, 1.22146f},
+                                             {{-1, .05f, .1f}, 1.01174f, 1.2214f},
+                                             {{-1, -.05f, .1f}, 1.30669f, 1.2214f},
+                                             {{0, -1, .1f}, 2.08937f, 1.22146f},
+                                             {{1, 1, .5f}, 1.48285f, 1.32948f},
+                                             {{-1, 2, -.3f}, 0.90967f, 1.11664f},
+                                             {{.3f, -.5f, .8f}, 1.97351f, 1.53419f},
+                                             {{.1f, .1f, 5}, 1.48283f, 0.86428f},
+                                             {{.1f, .1f, -5}, 1.48287f, 0.74817f}}) {
+        const Color3f radiance = world.environment.radiance(f.direction.normalized(), seen);
         EXPECT_NEAR(radiance.x, f.red, 2e-4f) << f.direction;
         EXPECT_NEAR(radiance.y, f.green, 2e-4f) << f.direction;
     }
 }
 
-int add_directions(TextureSet& set)
-{
-    return set.add_file(std::string(EYE_TEST_DATA_DIR) + "/textures/directions_8x4.exr",
-                        {.colorspace = Colorspace::Linear});
-}
-
-TEST(Environment, directions_map_to_the_picture_as_in_cycles)
-{
-    TextureSet set;
-    const Environment environment({.texture = add_directions(set)}, &set);
-    expect_figures(environment, {{{1, 0, .1f}, 1.71862f, 1.22146f},
-                                 {{0, 1, .1f}, 1.17663f, 1.22146f},
-                                 {{-1, .05f, .1f}, 1.01174f, 1.2214f},
-                                 {{-1, -.05f, .1f}, 1.30669f, 1.2214f},
-                                 {{0, -1, .1f}, 2.08937f, 1.22146f},
-                                 {{1, 1, .5f}, 1.48285f, 1.32948f},
-                                 {{-1, 2, -.3f}, 0.90967f, 1.11664f},
-                                 {{.3f, -.5f, .8f}, 1.97351f, 1.53419f},
-                                 {{.1f, .1f, 5}, 1.48283f, 0.86428f},
-                                 {{.1f, .1f, -5}, 1.48287f, 0.74817f}});
-}
-
-// With a Mapping node (Point) whose rotation is (0.2, 0.3, 1.0) rad: its matrix takes the
-// direction to the picture.
-TEST(Environment, rotation_turns_the_picture_as_in_cycles)
-{
-    const M33f mapping(0.516170f, -0.793041f, 0.323437f,  //
-                       0.803885f, 0.578901f, 0.136505f,   //
-                       -0.295520f, 0.189796f, 0.936293f);
-    TextureSet set;
-    const Environment environment(
-        {.texture = add_directions(set), .texture_from_world = mapping.transposed()}, &set);
-    expect_figures(environment, {{{1, 0, .1f}, 1.41869f, 1.08565f},
-                                 {{0, 1, .1f}, 0.3427f, 1.30522f},
-                                 {{1, 1, .5f}, 1.14106f, 1.28639f},
-                                 {{-1, 2, -.3f}, 0.7418f, 1.25563f}});
-}
-
-// A dim sky with a sun of one pixel, 10^5 times brighter, and black ground; turned askew.
+// A dim sky with a sun of one pixel, 10^5 times brighter, and black ground.
 class Sky : public testing::Test {
 protected:
     static constexpr int width = 64;
@@ -85,16 +105,13 @@ protected:
                 rgba.insert(rgba.end(), {sun ? 1e5f : value, value, value, 1.0f});
             }
         }
-        const M33f turned =
-            M33f().setRotation(0.7f) * M33f(1, 0, 0, 0, 0.8f, 0.6f, 0, -0.6f, 0.8f);
-        const int texture = set_.add_pixels("sky", PixelsF32{width, height, rgba},
-                                            {.colorspace = Colorspace::Linear});
-        environment_ = Environment(
-            {.strength = 2.0f, .texture = texture, .texture_from_world = turned}, &set_);
+        world_.textures.add_pixels("sky", PixelsF32{width, height, rgba},
+                                   {.colorspace = Colorspace::Linear});
+        world_.build_picture(2.0f);
     }
 
-    TextureSet set_;
-    Environment environment_;
+    World world_;
+    const Environment& environment_ = world_.environment;
 };
 
 V3f direction_at(double z, double turn)
@@ -167,8 +184,8 @@ TEST_F(Sky, light_found_by_sampling_is_the_light_there_is)
     for (int i = 0; i < grid; ++i) {
         for (int j = 0; j < grid; ++j) {
             const double z = 2.0 * (i + 0.5) / grid - 1.0;
-            reference +=
-                double(luminance(environment_.radiance(direction_at(z, (j + 0.5) / grid))));
+            reference += double(
+                luminance(environment_.radiance(direction_at(z, (j + 0.5) / grid), lighting)));
         }
     }
     reference *= 4.0 * pi / (double(grid) * grid);
@@ -199,7 +216,7 @@ TEST_F(Sky, density_of_a_sample_is_that_of_its_direction)
     int apart = 0;
     for (int i = 0; i < 20000; ++i) {
         const EnvironmentSample s = environment_.sample({uniform(rng), uniform(rng)});
-        EXPECT_EQ(s.radiance, environment_.radiance(s.wi));
+        EXPECT_EQ(s.radiance, environment_.radiance(s.wi, lighting));
         apart += std::abs(s.pdf - environment_.pdf(s.wi)) > 1e-3f * s.pdf;
     }
     EXPECT_LE(apart, 5);  // rounded across the edge of a cell
@@ -207,36 +224,65 @@ TEST_F(Sky, density_of_a_sample_is_that_of_its_direction)
 
 TEST(Environment, a_constant_world_is_sampled_uniformly_and_has_no_table)
 {
-    const Environment environment({.color = {0.1f, 0.2f, 0.3f}, .strength = 2.0f}, nullptr);
+    World world;
+    world.build(
+        plain_material("BACKGROUND", {{"Color", V3f(0.1f, 0.2f, 0.3f)}, {"Strength", V3f(2.0f)}}));
+    const Environment& environment = world.environment;
     EXPECT_FALSE(environment.has_table());
     EXPECT_FALSE(environment.is_black());
-    EXPECT_EQ(environment.radiance({0, 0, 1}), Color3f(0.2f, 0.4f, 0.6f));
+    EXPECT_EQ(environment.radiance({0, 0, 1}, seen), Color3f(0.2f, 0.4f, 0.6f));
     EXPECT_FLOAT_EQ(environment.mean_luminance(), luminance({0.2f, 0.4f, 0.6f}));
     const EnvironmentSample s = environment.sample({0.3f, 0.8f});
     EXPECT_FLOAT_EQ(s.pdf, uniform_sphere_pdf());
     EXPECT_EQ(s.pdf, environment.pdf(s.wi));
 }
 
+// A mix of constants is a constant.
+TEST(Environment, an_even_mix_of_backgrounds_has_no_table)
+{
+    NodeGraph graph;
+    const std::size_t mix = graph.add("MIX_SHADER");
+    graph.set(mix, "Fac", V3f(0.25f));
+    for (const auto& [input, radiance] :
+         {std::pair("Shader", 1.0f), std::pair("Shader_001", 3.0f)}) {
+        const std::size_t background = graph.add("BACKGROUND");
+        graph.set(background, "Color", V3f(radiance));
+        graph.link(mix, input, graph.output(background, "Background"));
+    }
+    World world;
+    world.build(graph, graph.output(mix, "Shader"));
+    EXPECT_FALSE(world.environment.has_table());
+    EXPECT_EQ(world.environment.radiance({0, 0, 1}, seen), Color3f(1.5f));
+}
+
 TEST(Environment, black_worlds_are_known_as_such)
 {
-    TextureSet set;
-    const std::vector<float> black = {0, 0, 0, 1, 0, 0, 0, 1};
-    const int texture =
-        set.add_pixels("black", PixelsF32{2, 1, black}, {.colorspace = Colorspace::Linear});
     EXPECT_TRUE(Environment().is_black());
-    EXPECT_TRUE(Environment({.texture = texture}, &set).is_black());
-    EXPECT_TRUE(Environment({.color = Color3f(1.0f), .strength = 0.0f}, nullptr).is_black());
+    const std::vector<float> black = {0, 0, 0, 1, 0, 0, 0, 1};
+    World pictured;
+    pictured.textures.add_pixels("black", PixelsF32{2, 1, black},
+                                 {.colorspace = Colorspace::Linear});
+    pictured.build_picture();
+    EXPECT_TRUE(pictured.environment.is_black());
+    World dimmed;
+    dimmed.build(plain_material("BACKGROUND", {{"Strength", V3f(0.0f)}}));
+    EXPECT_TRUE(dimmed.environment.is_black());
+    EXPECT_FALSE(dimmed.environment.has_table());
+    World unlit;
+    unlit.build(Material{});
+    EXPECT_TRUE(unlit.environment.is_black());
+    EXPECT_FALSE(unlit.environment.has_table());
 }
 
 TEST(Environment, a_broken_picture_gives_no_nan)
 {
-    TextureSet set;
     const std::vector<float> broken = {NAN, 1, 1, 1, INFINITY, 1, 1, 1, -5, 1, 1, 1, 1, 1, 1, 1};
-    const int texture =
-        set.add_pixels("broken", PixelsF32{4, 1, broken}, {.colorspace = Colorspace::Linear});
-    const Environment environment({.texture = texture}, &set);
+    World world;
+    world.textures.add_pixels("broken", PixelsF32{4, 1, broken},
+                              {.colorspace = Colorspace::Linear});
+    world.build_picture();
     for (int i = 0; i < 64; ++i) {
-        const EnvironmentSample s = environment.sample({(float(i) + 0.5f) / 64.0f, 0.4f});
+        const EnvironmentSample s = world.environment.sample({(float(i) + 0.5f) / 64.0f, 0.4f});
         EXPECT_TRUE(s.pdf > 0.0f && std::isfinite(s.pdf));
         for (int c = 0; c < 3; ++c) {
             EXPECT_TRUE(s.radiance[c] >= 0.0f && std::isfinite(s.radiance[c]));
@@ -244,12 +290,61 @@ TEST(Environment, a_broken_picture_gives_no_nan)
     }
 }
 
-TEST(Environment, refuses_negative_light_and_matrices_that_stretch)
+// The radiance of direction d, as coordinates Generated have it, is d without what is negative.
+void build_by_direction(World& world)
 {
-    EXPECT_THROW(Environment({.strength = -1.0f}, nullptr), std::invalid_argument);
-    EXPECT_THROW(Environment({.color = Color3f(NAN)}, nullptr), std::invalid_argument);
-    EXPECT_THROW(Environment({.texture_from_world = M33f() * 2.0f}, nullptr),
-                 std::invalid_argument);
+    NodeGraph graph;
+    const std::size_t background = graph.add("BACKGROUND");
+    graph.link(background, "Color", graph.output(graph.add("TEX_COORD"), "Generated"));
+    world.build(graph, graph.output(background, "Background"));
+}
+
+TEST(Environment, a_procedural_world_is_sampled_by_what_it_shows)
+{
+    World world;
+    build_by_direction(world);
+    const Environment& environment = world.environment;
+    EXPECT_TRUE(environment.has_table());
+    EXPECT_EQ(environment.radiance({0.6f, -0.8f, 0.0f}, seen), Color3f(0.6f, 0.0f, 0.0f));
+    // The mean of a clamped cosine over the sphere is 1/4; a table of 1024 by 512 cells has it to
+    // the square of a cell's width.
+    EXPECT_NEAR(environment.mean_luminance(), 0.25f, 1e-4f);
+    // Light from above the point: pi of a cosine, in green.
+    double irradiance = 0.0;
+    constexpr int side = 256;
+    for (int i = 0; i < side; ++i) {
+        for (int j = 0; j < side; ++j) {
+            const EnvironmentSample s =
+                environment.sample({(float(i) + 0.5f) / side, (float(j) + 0.5f) / side});
+            EXPECT_NEAR(s.pdf, environment.pdf(s.wi), 0.01f * s.pdf) << s.wi;
+            irradiance += double(s.radiance.y * std::max(s.wi.y, 0.0f) / s.pdf);
+        }
+    }
+    // The integral of cos^2 over a hemisphere.
+    EXPECT_NEAR(irradiance / (double(side) * side), 2.0 * pi / 3.0, 2e-3);
+}
+
+// A world that is bright for the eye alone lights nothing: the table follows what lights.
+TEST(Environment, a_world_may_look_at_the_path)
+{
+    NodeGraph graph;
+    const std::size_t background = graph.add("BACKGROUND");
+    graph.link(background, "Color", graph.output(graph.add("LIGHT_PATH"), "Is Camera Ray"));
+    World world;
+    world.build(graph, graph.output(background, "Background"));
+    EXPECT_EQ(world.environment.radiance({0, 0, 1}, seen), Color3f(1.0f));
+    EXPECT_EQ(world.environment.radiance({0, 0, 1}, lighting), Color3f(0.0f));
+    EXPECT_EQ(world.environment.sample({0.5f, 0.5f}).radiance, Color3f(0.0f));
+    EXPECT_TRUE(world.environment.is_black());
+}
+
+TEST(Environment, a_colour_in_the_place_of_a_background_shines)
+{
+    NodeGraph graph;
+    World world;
+    const std::size_t coordinates = graph.add("TEX_COORD");
+    world.build(graph, graph.output(coordinates, "Generated"));
+    EXPECT_EQ(world.environment.radiance({0.0f, 0.6f, 0.8f}, seen), Color3f(0.0f, 0.6f, 0.8f));
 }
 
 }  // namespace

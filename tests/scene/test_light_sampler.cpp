@@ -71,7 +71,9 @@ std::vector<EmissiveTriangle> random_triangles(int count)
 
 std::vector<Lights> scenes()
 {
-    const Environment sky({.color = Color3f(1.0f)}, nullptr);
+    static const Material even = plain_material("BACKGROUND", {{"Color", V3f(1.0f)}});
+    static const SceneFrame frame;
+    const Environment sky(even, frame);
     Lights few{.name = "a few of each",
                .lamps = {lamp_at(point, {0, 0, 3}), lamp_at(area, {1, 2, 4}),
                          lamp_at(spot, {-2, 0, 5}), lamp_at(sun, {0, 0, 0}),

@@ -51,9 +51,9 @@ TEST(Mesh, refusals_name_the_mesh_the_value_and_what_is_allowed)
               }),
               "mesh 'T': UV layer 'UVMap' has 1 entries; expected 3");
     EXPECT_EQ(refusal([](Mesh& m) {
-                  m.color_attributes = {{"Col", {}}};
+                  m.attributes = {{"Col", {}}};
               }),
-              "mesh 'T': colour attribute 'Col' has 0 entries; expected 3");
+              "mesh 'T': attribute 'Col' has 0 entries; expected 3");
     EXPECT_EQ(refusal([](Mesh& m) { m.material_slots = {-1}; }),
               "mesh 'T': material slot -1 is negative");
 }

@@ -13,11 +13,7 @@ namespace {
 
 Material shining(float radiance)
 {
-    Material material;
-    material.surface = Surface::Emission;
-    material.emission_color.constant = Color3f(1.0f);
-    material.emission_strength.constant = Color3f(radiance);
-    return material;
+    return plain_material("EMISSION", {{"Color", V3f(1.0f)}, {"Strength", V3f(radiance)}});
 }
 
 SceneData shining_square(const V3d& at)
@@ -38,7 +34,7 @@ SceneData shining_square(const V3d& at)
 TEST(Scene, sampled_emitter_is_met_by_a_ray_with_the_same_density)
 {
     SceneData data = shining_square(V3d(0, 0, -2));
-    data.world.color = Color3f(0.5f);
+    data.world = plain_material("BACKGROUND", {{"Color", V3f(0.5f)}});
     const Scene scene(data, V3d(0.0));
     const V3f p(0.3f, -0.2f, 0.0f);
     LitPoint point;
@@ -105,7 +101,7 @@ TEST(Scene, scene_without_anything_is_dark_and_empty)
     const SceneData data;
     const Scene scene(data, V3d(0.0));
     EXPECT_FALSE(scene.intersect({}));
-    EXPECT_EQ(scene.background(V3f(0, 0, 1)), Color3f(0.0f));
+    EXPECT_EQ(scene.background(V3f(0, 0, 1), {}), Color3f(0.0f));
     LitPoint point;
     scene.weigh_lights(V3f(0.0f), V3f(0, 0, 1), point);
     EXPECT_FALSE(scene.sample_light(point, 0.5f, V2f(0.5f)));

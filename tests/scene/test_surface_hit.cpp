@@ -1,4 +1,4 @@
-// Hits as materials see them: sides, normals, layers and tangents, mirrored objects included.
+// Where rays met meshes: sides and normals, of mirrored, instanced and flattened objects as well.
 
 #include "scene/scene.h"
 
@@ -7,21 +7,19 @@
 namespace eye_render {
 namespace {
 
-// A square in z = 0 facing +Z, u along x and v along y.
+// A square in z = 0 facing +Z.
 Mesh square()
 {
     Mesh mesh;
     mesh.name = "square";
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    mesh.uv_layers = {{"UVMap", {{0, 0}, {1, 0}, {1, 1}, {0, 0}, {1, 1}, {0, 1}}}};
     return mesh;
 }
 
 SceneData one(const Mesh& mesh, const M44d& world_from_object)
 {
     SceneData data;
-    data.uv_layer_names = {"", "UVMap", "absent"};
     data.meshes.push_back(mesh);
     data.instances.push_back({.mesh = 0, .world_from_object = world_from_object, .materials = {}});
     return data;
@@ -71,10 +69,6 @@ TEST(SurfaceHit, flat_and_instanced_meshes_look_alike)
     EXPECT_LT((a->p_world - b->p_world).length(), 1e-6f);
     EXPECT_LT((a->point.ns - b->point.ns).length(), 1e-6f);
     EXPECT_LT((a->point.ng - b->point.ng).length(), 1e-6f);
-    const TangentFrame frame_a = flat.attributes(*a).tangent(1);
-    const TangentFrame frame_b = instanced.attributes(*b).tangent(1);
-    EXPECT_LT((frame_a.tangent - frame_b.tangent).length(), 1e-6f);
-    EXPECT_EQ(frame_a.bitangent_sign, frame_b.bitangent_sign);
 }
 
 TEST(SurfaceHit, flattened_instances_neither_crash_nor_hide_the_rest)
@@ -90,32 +84,6 @@ TEST(SurfaceHit, flattened_instances_neither_crash_nor_hide_the_rest)
     const auto hit = scene.intersect({.direction = V3f(0.1f, 0.2f, -1.0f).normalized()});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->p_world.z, -2.0f, 1e-5f);
-}
-
-TEST(SurfaceHit, layers_are_read_where_the_ray_met_the_mesh)
-{
-    const SceneData data = one(square(), at_two_metres(1.0));
-    const Scene scene(data, V3d(0.0));
-    const auto hit = scene.intersect({.origin = V3f(0.5f, -0.25f, 0)});
-    ASSERT_TRUE(hit);
-    const MeshAttributes attributes = scene.attributes(*hit);
-    EXPECT_NEAR(attributes.uv(1).x, 0.75f, 1e-6f);
-    EXPECT_NEAR(attributes.uv(1).y, 0.375f, 1e-6f);
-    EXPECT_EQ(attributes.uv(0), attributes.uv(1)) << "no name is the first layer";
-    EXPECT_EQ(attributes.uv(2), V2f(0.0f)) << "a layer that the mesh lacks is zero";
-}
-
-TEST(SurfaceHit, tangent_follows_u_and_bitangent_follows_v_also_when_mirrored)
-{
-    for (const double scale_x : {1.0, -1.0}) {
-        const SceneData data = one(square(), at_two_metres(scale_x));
-        const Scene scene(data, V3d(0.0));
-        const auto hit = scene.intersect({});
-        const TangentFrame frame = scene.attributes(*hit).tangent(1);
-        EXPECT_EQ(frame.tangent, V3f(static_cast<float>(scale_x), 0, 0));
-        const V3f bitangent = hit->point.ns.cross(frame.tangent) * frame.bitangent_sign;
-        EXPECT_EQ(bitangent, V3f(0, 1, 0)) << scale_x;
-    }
 }
 
 TEST(SurfaceHit, corner_normals_that_cancel_fall_back_to_the_face)

@@ -215,7 +215,7 @@ TEST(Textures, unreadable_files_are_magenta_with_one_warning_each)
     ASSERT_EQ(set.warnings().size(), 2u);
     EXPECT_NE(set.warnings()[0].find("/nowhere/missing.png"), std::string::npos);
     EXPECT_NE(set.warnings()[1].find(not_an_image), std::string::npos);
-    EXPECT_EQ(set.load_linear_pixels(missing, 16).width, 1);
+    EXPECT_EQ(set.width(missing), 1);
     std::filesystem::remove(not_an_image);
 }
 
@@ -286,12 +286,10 @@ TEST(Textures, a_thread_that_outlives_a_set_sees_nothing_of_it_in_the_next)
     constexpr int sets = 16;
     std::array<std::promise<TextureSet*>, sets> asked;
     std::array<std::promise<Color4f>, sets> looked_up;
-    std::array<std::promise<Color3f>, sets> shrunk;
     std::thread worker([&] {
         for (std::size_t i = 0; i < sets; ++i) {
             const TextureSet& set = *asked[i].get_future().get();
             looked_up[i].set_value(set.lookup(0, {0.5f, 0.5f}));
-            shrunk[i].set_value(set.load_linear_pixels(0, 1).rgb[0]);
         }
     });
     for (std::size_t i = 0; i < sets; ++i) {
@@ -301,35 +299,16 @@ TEST(Textures, a_thread_that_outlives_a_set_sees_nothing_of_it_in_the_next)
         set.add_pixels("pixel", PixelsF32{1, 1, pixel}, {.colorspace = Colorspace::Linear});
         asked[i].set_value(&set);
         EXPECT_EQ(looked_up[i].get_future().get(), Color4f(value, value, value, 1.0f));
-        EXPECT_EQ(shrunk[i].get_future().get(), Color3f(value));
     }
     worker.join();
 }
 
-TEST(Textures, shrinking_keeps_the_mean_and_the_bottom_row_first)
+TEST(Textures, width_is_the_files_in_pixels)
 {
-    std::vector<float> rgba;
-    double mean = 0.0;
-    for (int y = 0; y < 6; ++y) {
-        for (int x = 0; x < 12; ++x) {
-            const float value = float(y * 100 + x);
-            mean += double(value) / 72.0;
-            rgba.insert(rgba.end(), {value, 0.0f, 0.0f, 1.0f});
-        }
-    }
     TextureSet set;
-    const int t =
-        set.add_pixels("ramp", PixelsF32{12, 6, rgba}, {.colorspace = Colorspace::Linear});
-    const LinearPixels small = set.load_linear_pixels(t, 4);
-    ASSERT_EQ(small.width, 4);
-    ASSERT_EQ(small.height, 2);
-    double small_mean = 0.0;
-    for (const Color3f& c : small.rgb) {
-        small_mean += double(c.x) / 8.0;
-    }
-    EXPECT_NEAR(small_mean, mean, 1e-3);
-    EXPECT_NEAR(small.rgb[0].x, 101.0f, 1e-3f);  // rows 0 to 2, columns 0 to 2
-    EXPECT_EQ(set.load_linear_pixels(t, 1000).width, 12);
+    EXPECT_EQ(set.width(set.add_file(data_dir + "directions_8x4.exr", {})), 8);
+    EXPECT_EQ(set.width(add_two_by_two(set, Extension::Repeat, Interpolation::Linear)), 2);
+    EXPECT_EQ(set.width(99), 1);
 }
 
 }  // namespace
