@@ -59,7 +59,9 @@ void add_instances(SceneBuilder& scene,
                    const std::vector<std::size_t>& materials,
                    const std::optional<Array<float>>& colors,
                    float pass_index,
-                   const std::optional<Array<float>>& randoms)
+                   const std::optional<Array<float>>& randoms,
+                   const std::vector<std::string>& hidden_from,
+                   bool is_holdout)
 {
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
@@ -75,6 +77,15 @@ void add_instances(SceneBuilder& scene,
         throw std::invalid_argument("randoms has shape " + shape_text(*randoms) + "; expected (" +
                                     std::to_string(count) + ",)");
     }
+    Visibility visibility;
+    for (const std::string& ray : hidden_from) {
+        visibility.*named<bool Visibility::*>("hidden_from", ray,
+                                              {{"CAMERA", &Visibility::to_camera},
+                                               {"DIFFUSE", &Visibility::to_diffuse},
+                                               {"GLOSSY", &Visibility::to_glossy},
+                                               {"TRANSMISSION", &Visibility::to_transmission},
+                                               {"SHADOW", &Visibility::to_shadow}}) = false;
+    }
     for (py::ssize_t i = 0; i < count; ++i) {
         ObjectLook look{.pass_index = pass_index};
         if (colors) {
@@ -87,7 +98,9 @@ void add_instances(SceneBuilder& scene,
         scene.add_instance({.mesh = mesh,
                             .world_from_object = matrix_from(world_from_object.data(i, 0, 0)),
                             .materials = materials,
-                            .look = look});
+                            .look = look,
+                            .visibility = visibility,
+                            .is_holdout = is_holdout});
     }
 }
 
@@ -189,9 +202,13 @@ void bind_scene(py::module_& m)
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(),
              "pass_index"_a = 0.0f, "randoms"_a = py::none(),
+             "hidden_from"_a = py::list(), "is_holdout"_a = false,
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot. For the "
              "Object\n"
-             "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).")
+             "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
+             "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, SHADOW rays; a holdout is cut out "
+             "of\n"
+             "the picture.")
         .def(
             "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
             "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"

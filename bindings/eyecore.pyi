@@ -260,6 +260,8 @@ class Scene:
         colors: ArrayLike | None = None,
         pass_index: float = 0.0,
         randoms: ArrayLike | None = None,
+        hidden_from: Sequence[str] = ...,
+        is_holdout: bool = False,
     ) -> None: ...
     def add_light(
         self,

@@ -54,7 +54,7 @@ public:
     PathRadiance trace(Ray ray)
     {
         for (int passages = 0; passages <= max_straight_passages;) {
-            auto hit = scene_.intersect(ray);
+            auto hit = scene_.intersect(ray, path_);
             add_lamps(ray, hit ? hit->t : ray.t_max);
             if (!hit) {
                 add_background(ray);
@@ -63,6 +63,9 @@ public:
             path_.length = hit->t;
             hit->point.footprint = settings_.pixel_slope * (length_ + hit->t);
             const ShadedPoint shaded = scene_.shade(*hit, path_);
+            if (path_.is_camera && cut_out(*hit, shaded)) {
+                break;
+            }
             add_emission(*hit, shaded.emission);
             if (path_.depth > settings_.max_bounces) {
                 // The ray after the last bounce only collects what shines by itself, through
@@ -159,11 +162,27 @@ private:
                            });
     }
 
+    // A share of what the path sees is not in the picture.
+    void uncover(float share)
+    {
+        result_.alpha = std::max(0.0f, result_.alpha - share * luminance(throughput_));
+    }
+
+    // True where a holdout leaves nothing to be seen.
+    bool cut_out(const SurfaceHit& hit, const ShadedPoint& shaded)
+    {
+        const float share = hit.placement->is_holdout ? 1.0f : std::min(shaded.holdout, 1.0f);
+        if (share > 0.0f) {
+            uncover(share);
+        }
+        return share == 1.0f;
+    }
+
     void add_background(const Ray& ray)
     {
         if (path_.depth == 0 && settings_.film_transparent) {
             // What straight passages took away stays in the picture as coverage.
-            result_.alpha = 1.0f - std::min(1.0f, luminance(throughput_));
+            uncover(1.0f);
             return;
         }
         const float light_pdf =

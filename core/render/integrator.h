@@ -20,7 +20,7 @@ struct IntegratorSettings {
 
 struct PathRadiance {
     Color3f radiance{0.0f};
-    float alpha = 1.0f;  // below 1 only with film_transparent
+    float alpha = 1.0f;  // below 1 where a transparent film or a holdout shows
     // Of the first surface, on request: its normal in world space, turned to the eye, and its
     // albedo. Zero without a surface.
     V3f normal{0.0f};

@@ -119,6 +119,7 @@ RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
         for (const std::size_t material : instance.materials) {
             materials.push_back(&scene.materials[material]);
         }
+        plan.transparent_shadows = plan.transparent_shadows || !instance.visibility.to_shadow;
     }
     plan.placements = scene.instances.size();
     for (const Material* material : materials) {

@@ -102,6 +102,8 @@ void Scene::add_placements()
                                 uses[instance.mesh] == 1 || !is_invertible(world_from_object),
                             .is_mirrored = is_mirror(world_from_object),
                             .look = instance.look,
+                            .visibility = instance.visibility,
+                            .is_holdout = instance.is_holdout,
                             .emitters = {}};
         for (const std::size_t material : instance.materials) {
             placement.materials.push_back(&data_.materials[material]);
@@ -112,6 +114,8 @@ void Scene::add_placements()
         for (const Material* material : placement.materials) {
             may_be_transparent_ = may_be_transparent_ || material->surface.may_be_transparent();
         }
+        has_hidden_ = has_hidden_ || !instance.visibility.to_all();
+        may_be_transparent_ = may_be_transparent_ || !instance.visibility.to_shadow;
         if (placement.is_flat) {
             flat_positions.resize(mesh.positions.size());
             for (std::size_t i = 0; i < flat_positions.size(); ++i) {
@@ -130,14 +134,26 @@ void Scene::add_placements()
     }
 }
 
-std::optional<SurfaceHit> Scene::intersect(const Ray& ray) const
+std::optional<SurfaceHit> Scene::intersect(const Ray& ray, const PathState& path) const
 {
-    const auto found = accelerator_.intersect(ray);
-    if (!found) {
-        return std::nullopt;
+    Ray rest = ray;
+    float travelled = 0.0f;
+    for (int passages = 0; passages <= max_straight_passages; ++passages) {
+        const auto found = accelerator_.intersect(rest);
+        if (!found) {
+            break;
+        }
+        const Placement& placement = placements_[found->placement];
+        SurfaceHit hit = make_surface_hit(rest, *found, placement,
+                                          accelerator_.positions(found->placement));
+        if (!has_hidden_ || placement.visibility.sees(path)) {
+            hit.t += travelled;
+            return hit;
+        }
+        travelled += hit.t;
+        rest = passed_through(rest, hit);
     }
-    return make_surface_hit(ray, *found, placements_[found->placement],
-                            accelerator_.positions(found->placement));
+    return std::nullopt;
 }
 
 ShadedPoint Scene::shade(const SurfaceHit& hit, const PathState& path) const
@@ -164,7 +180,7 @@ Color3f Scene::transmittance(const Ray& ray, const PathState& path) const
     shadow.is_shadow = true;
     Ray rest = ray;
     for (int passages = 0; passages <= max_straight_passages; ++passages) {
-        const auto hit = intersect(rest);
+        const auto hit = intersect(rest, shadow);
         if (!hit) {
             return result;
         }

@@ -57,7 +57,9 @@ public:
     Scene(const Scene&) = delete;
     Scene& operator=(const Scene&) = delete;
 
-    [[nodiscard]] std::optional<SurfaceHit> intersect(const Ray& ray) const;
+    // The nearest surface that the ray of such a path sees.
+    [[nodiscard]] std::optional<SurfaceHit> intersect(const Ray& ray,
+                                                      const PathState& path = {}) const;
 
     // The material at a hit: all of it, or only what passes straight through.
     [[nodiscard]] ShadedPoint shade(const SurfaceHit& hit, const PathState& path) const;
@@ -143,7 +145,8 @@ private:
     std::vector<std::uint32_t> visible_lamps_;  // those with an extent
     Environment environment_;
     LightSampler light_sampler_;
-    bool may_be_transparent_ = false;
+    bool may_be_transparent_ = false;  // some material or object lets light straight through
+    bool has_hidden_ = false;          // some object is not seen by all rays
 };
 
 }  // namespace eye_render

@@ -6,6 +6,7 @@
 #include "scene/lamp.h"
 #include "scene/mesh.h"
 #include "scene/textures.h"
+#include "scene/visibility.h"
 #include "shading/material.h"
 
 #include <string>
@@ -25,6 +26,8 @@ struct InstanceData {
     M44d world_from_object;              // row-vector convention
     std::vector<std::size_t> materials;  // one a slot of the mesh; empty: a grey one
     ObjectLook look{};
+    Visibility visibility{};
+    bool is_holdout = false;  // cut out of the picture
 };
 
 struct LampData {

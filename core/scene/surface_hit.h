@@ -31,6 +31,8 @@ struct Placement {
     bool is_flat = true;            // the accelerator holds the positions in world space
     bool is_mirrored = false;       // the determinant is negative
     ObjectLook look;
+    Visibility visibility;
+    bool is_holdout = false;
     std::vector<int>
         emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 

@@ -24,7 +24,7 @@ public:
     [[nodiscard]] V3f smooth_normal() const override { return -direction_; }
     [[nodiscard]] const ObjectFacts& object() const override
     {
-        static const ObjectFacts nothing;
+        static const ObjectFacts nothing{.color = Color4f(0.0f)};
         return nothing;
     }
     [[nodiscard]] const ViewFrame& view() const override { return frame_.direction_view; }

@@ -57,8 +57,9 @@ Material make_material(std::string name,
                        NodeResources& resources)
 {
     RecordingResources read(resources);
-    Material material{.name = std::move(name),
-                      .surface = ShaderProgram(graph, surface, displacement, read)};
+    Material material;
+    material.name = std::move(name);
+    material.surface = ShaderProgram(graph, surface, displacement, read);
     material.uv_layers.assign(read.uv_layers.begin(), read.uv_layers.end());
     material.attributes.assign(read.attributes.begin(), read.attributes.end());
     material.textures.assign(read.textures.begin(), read.textures.end());

@@ -123,7 +123,10 @@ struct ClosureFacts {
 struct ShadedPoint {
     Bsdf bsdf;
     Color3f emission{0.0f};  // radiance towards wo
-    bool is_holdout = false;
+    float holdout = 0.0f;    // the share that is cut out of the picture
+
+    // Not an aggregate: g++ would clear the room for all lobes first.
+    explicit ShadedPoint(const ShadingPoint& point) : bsdf(point.wo, point.ng) {}
 };
 
 // A BSDF or an emission: the leaves of a tree of Mix and Add Shader. `weight` is in (0, 1] but for

@@ -42,8 +42,7 @@ bool NodeInputs::wants(std::size_t output) const
 const Hit& NodeInputs::hit() const { return run_.hit(); }
 
 ProgramRun::ProgramRun(const std::vector<ProgramStep>& steps, int value_count, const Hit& hit)
-    : steps_(steps), hit_(hit), value_count_(value_count), values_(usual_values_.data()),
-      is_done_(usual_done_.data())
+    : steps_(steps), hit_(hit), value_count_(value_count)
 {
     if (static_cast<std::size_t>(value_count) > usual_size) {
         more_values_.resize(static_cast<std::size_t>(value_count));
@@ -119,7 +118,7 @@ ShadedPoint ShaderProgram::shade(const Hit& hit) const
     }
     const Hit displaced{.point = point, .attributes = hit.attributes, .path = hit.path};
     ProgramRun run(steps_, value_count_, displaced);
-    ShadedPoint shaded{.bsdf = Bsdf(point.wo, point.ng)};
+    ShadedPoint shaded(point);
     for (const ProgramLeaf& leaf : leaves_) {
         const float weight = run.weight(leaf);
         if (weight > 0.0f) {

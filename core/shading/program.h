@@ -47,7 +47,7 @@ struct ProgramInput {
 
 struct ProgramStep {
     std::vector<ProgramInput> inputs;
-    std::shared_ptr<const ValueNode> node;  // none for a closure
+    std::shared_ptr<const ValueNode> node{};  // none for a closure
     int first_value = 0;
     int value_count = 0;
     std::uint32_t wanted_outputs = 0;  // one bit each
@@ -131,12 +131,12 @@ private:
     const std::vector<ProgramStep>& steps_;
     Hit hit_;
     int value_count_;
-    NodeValue* values_;
-    bool* is_done_;  // one a step
     std::array<bool, usual_size> usual_done_;
     std::array<NodeValue, usual_size> usual_values_;  // not cleared: it would cost more
     std::vector<NodeValue> more_values_;
     std::unique_ptr<bool[]> more_done_;
+    NodeValue* values_ = usual_values_.data();
+    bool* is_done_ = usual_done_.data();  // one a step
 };
 
 }  // namespace eye_render

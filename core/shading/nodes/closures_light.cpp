@@ -62,9 +62,9 @@ public:
 
     [[nodiscard]] ClosureFacts facts(ConstantInputs /*constants*/) const override { return {}; }
 
-    void shade(const NodeInputs& /*in*/, float /*weight*/, ShadedPoint& shaded) const override
+    void shade(const NodeInputs& /*in*/, float weight, ShadedPoint& shaded) const override
     {
-        shaded.is_holdout = true;
+        shaded.holdout += weight;
     }
 };
 

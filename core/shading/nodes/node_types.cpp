@@ -31,8 +31,9 @@ constexpr NodeType add_shader{.name = "ADD_SHADER",
 [[nodiscard]] std::vector<const NodeType*> joined()
 {
     std::vector<const NodeType*> all{&mix_shader, &add_shader};
-    for (const auto& family : {closure_nodes(), image_texture_nodes(), coordinate_nodes(),
-                               input_nodes(), normal_nodes()}) {
+    for (const auto& family :
+         {closure_nodes(), procedural_texture_nodes(), image_texture_nodes(), math_nodes(),
+          color_nodes(), coordinate_nodes(), input_nodes(), normal_nodes()}) {
         for (const NodeType& type : family) {
             all.push_back(&type);
         }
