@@ -14,6 +14,24 @@ constexpr float below_one = 0x1.fffffep-1f;
 
 }  // namespace
 
+Bsdf::Bsdf(const Bsdf& other) { *this = other; }
+
+Bsdf& Bsdf::operator=(const Bsdf& other)
+{
+    if (this != &other) {
+        wo_ = other.wo_;
+        ng_ = other.ng_;
+        albedo_ = other.albedo_;
+        importance_ = other.importance_;
+        count_ = other.count_;
+        has_finite_lobe_ = other.has_finite_lobe_;
+        transmits_ = other.transmits_;
+        std::copy_n(other.shares_.begin(), count_, shares_.begin());
+        std::copy_n(other.lobes_.begin(), count_, lobes_.begin());
+    }
+    return *this;
+}
+
 void Bsdf::add(const Lobe& lobe, const Color3f& albedo)
 {
     const float importance = (albedo.x + albedo.y + albedo.z) / 3.0f;

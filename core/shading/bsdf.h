@@ -30,12 +30,16 @@ struct BsdfSample {
 class Bsdf {
 public:
     // Lobes it holds at most.
-    static constexpr int capacity = 16;
+    static constexpr int capacity = 64;
 
     // Scatters nothing.
-    Bsdf() = default;
+    Bsdf() : Bsdf(V3f(0.0f), V3f(0.0f)) {}
     // dot(wo, ng) > 0.
     Bsdf(const V3f& wo, const V3f& ng) : wo_(wo), ng_(ng) {}
+    // Copies the lobes that are there.
+    Bsdf(const Bsdf& other);
+    Bsdf& operator=(const Bsdf& other);
+    ~Bsdf() = default;
 
     // `albedo` is what the lobe does with light from all around, and decides how often it is
     // sampled: it may be approximate, but zero only where the lobe is. A lobe without is left out.
@@ -62,15 +66,17 @@ private:
         bool is_delta;
     };
 
-    V3f wo_{0.0f};
-    V3f ng_{0.0f};
+    V3f wo_;
+    V3f ng_;
     Color3f albedo_{0.0f};
     float importance_ = 0.0f;
     int count_ = 0;
     bool has_finite_lobe_ = false;
     bool transmits_ = false;
     std::array<Share, capacity> shares_;
-    std::array<Lobe, capacity> lobes_;
+    union {
+        std::array<Lobe, capacity> lobes_;  // not made before they are added: it would cost more
+    };
 };
 
 }  // namespace eye_render
