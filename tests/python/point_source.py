@@ -2,6 +2,7 @@
 
 import eyecore
 import numpy as np
+from materials import add_light
 
 DISTANCE_M = 2.0
 SIZE_PX = 112
@@ -10,7 +11,7 @@ SAMPLES = 512
 
 def disk_scene(disk_slope: float, half_slope: float) -> eyecore.Scene:
     scene = eyecore.Scene()
-    light = scene.add_material("light", "EMISSION", emission_color=1.0, emission_strength=1.0)
+    light = add_light(scene, "light")
     angles = np.linspace(0.0, 2.0 * np.pi, 256, endpoint=False)
     rim = (
         DISTANCE_M * disk_slope * np.stack([np.cos(angles), np.sin(angles), 0.0 * angles], axis=1)

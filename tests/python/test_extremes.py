@@ -6,6 +6,7 @@ import itertools
 import eyecore
 import numpy as np
 import pytest
+from materials import add_light
 
 QUAD = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], np.float64)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
@@ -20,13 +21,11 @@ UNITS_M = (1e-3, 1.0, 1e3)
 PRESCRIPTIONS = ("-30.00DS", "+30.00DS", "-30.00DS -12.00DC 30A", "+18.00DS +12.00DC 150A")
 
 
-def wall(distance_m, metres_per_unit=1.0, at_units=0.0, left_m=None, **material):
-    """A wall across the view, of radiance 1, seen by a camera at (`at_units`, ...). With `left_m`
-    it ends there instead of going on beyond the left of the picture."""
+def wall(distance_m, metres_per_unit=1.0, at_units=0.0, left_m=None, radiance=1.0):
+    """A wall across the view, that shines evenly, seen by a camera at (`at_units`, ...). With
+    `left_m` it ends there instead of going on beyond the left of the picture."""
     scene = eyecore.Scene()
-    paint = scene.add_material(
-        "wall", "EMISSION", **{"emission_color": 1.0, "emission_strength": 1.0, **material}
-    )
+    paint = add_light(scene, "wall", radiance)
     half_m = 2.0 * (PUPIL_RADIUS_M + distance_m * (HALF_SLOPE + BLUR_SLOPE))
     corners = QUAD * half_m
     if left_m is not None:
@@ -117,7 +116,7 @@ def test_a_picture_does_not_know_the_worlds_origin_or_unit(model) -> None:
 @pytest.mark.parametrize("formula", eyecore.PUPIL_FORMULAS)
 def test_the_pupil_answers_any_light_with_a_size_it_can_have(formula, strength) -> None:
     observer = eyecore.Observer(pupil="auto", pupil_formula=formula)
-    scene = wall(1.0, emission_strength=strength)
+    scene = wall(1.0, radiance=strength)
     session = eyecore.Session(scene, observer, eyecore.Settings(samples=1))
     assert 1.5 <= session.pupil_mm <= 9.0
     session.start()

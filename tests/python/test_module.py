@@ -3,20 +3,21 @@
 import eyecore
 import numpy as np
 import pytest
+from materials import add_light, add_picture, add_plain
 
 QUAD = np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], np.float32)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
 
 
-def lit_quad(**material) -> eyecore.Scene:
-    """A square 2 m before the eye in a world of radiance 1."""
+def lit_quad() -> eyecore.Scene:
+    """A grey square 2 m before the eye in a world of radiance 1."""
     scene = eyecore.Scene()
-    number = scene.add_material("paint", "DIFFUSE", **(material or {"base_color": 0.5}))
+    number = add_plain(scene, "paint", "BSDF_DIFFUSE", {"Color": 0.5})
     at = np.eye(4)
     at[2, 3] = -2.0
     uvs = {"UVMap": QUAD[TRIANGLES.ravel(), :2] * 0.5 + 0.5}
     scene.add_instances(scene.add_mesh("quad", QUAD, TRIANGLES, uvs=uvs), at[None], [number])
-    scene.set_world(color=(1.0, 1.0, 1.0))
+    scene.set_world((1.0, 1.0, 1.0))
     scene.set_camera(np.eye(4), (-0.2, 0.2, -0.1, 0.1), (16, 8))
     return scene
 
@@ -24,9 +25,7 @@ def lit_quad(**material) -> eyecore.Scene:
 def edge_before_nothing() -> eyecore.Scene:
     """A shining square whose upper edge lies across the picture."""
     scene = eyecore.Scene()
-    paint = scene.add_material(
-        "paint", "EMISSION", emission_color=(1.0, 0.5, 0.25), emission_strength=1.0
-    )
+    paint = add_light(scene, "paint", color=(1.0, 0.5, 0.25))
     at = np.eye(4)
     at[:3, 3] = (0.0, -1.0, -2.0)
     scene.add_instances(scene.add_mesh("quad", QUAD, TRIANGLES), at[None], [paint])
@@ -57,9 +56,7 @@ def test_rows_are_bottom_up() -> None:
     pixels = np.zeros((2, 2, 4), np.float32)
     pixels[1] = 1.0  # the upper row is white
     texture = scene.add_texture_pixels("half", pixels, interpolation="Closest")
-    paint = scene.add_material(
-        "m", "EMISSION", emission_color=eyecore.ImageInput(texture), emission_strength=1
-    )
+    paint = add_picture(scene, "m", texture)
     assert scene.uv_layers_read([paint]) == [""]
     at = np.eye(4)
     at[2, 3] = -2.0
@@ -97,9 +94,7 @@ def test_rays_of_an_eye_follow_its_power_matrix() -> None:
 def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
     scene = lit_quad()
     texture = scene.add_texture("/nowhere/absent.png")
-    paint = scene.add_material(
-        "m", "EMISSION", emission_color=eyecore.ImageInput(texture), emission_strength=1
-    )
+    paint = add_picture(scene, "m", texture)
     at = np.eye(4)
     at[2, 3] = -1.0
     scene.add_instances(scene.add_mesh("near", QUAD, TRIANGLES), at[None], [paint])
@@ -122,8 +117,6 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
         (lambda: eyecore.Prescription(axis_deg=190), r"axis_deg is 190.*; expected 0 to 180"),
         (lambda: eyecore.Observer(pupil="wide"), r"pupil is .wide.; expected .auto. or a number"),
         (lambda: eyecore.Settings(passes=["Shine"]), r"pass 'Shine' does not exist"),
-        (lambda: eyecore.Scene().add_material("m", "WOOL"), r"surface is 'WOOL'; expected one of"),
-        (lambda: eyecore.Scene().add_material("m", gloss=1), r"input of material 'm' is 'gloss'"),
         (
             lambda: eyecore.Scene().add_mesh("m", QUAD[:, :2], TRIANGLES),
             r"positions has shape \(4, 2\); expected \(n, 3\)",
@@ -142,7 +135,10 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
         ),
         (lambda: eyecore.Observer(rx=3), r"rx is 3; expected a Prescription or a text"),
         (lambda: eyecore.Observer(pupil=None), r"pupil is None; expected 'auto' or a number"),
-        (lambda: eyecore.Scene().add_material("m", roughness="x"), r"roughness is 'x'; expected"),
+        (
+            lambda: eyecore.Scene().set_world(0.5),
+            r"world color is 0.5; expected three numbers",
+        ),
         (
             lambda: eyecore.Scene().add_light("l", "SUN", np.eye(4), 0.5),
             r"color of light 'l' is 0.5; expected three numbers",
@@ -192,14 +188,15 @@ def test_things_say_what_they_are() -> None:
 
 def test_render_issues_the_warnings_of_the_scene() -> None:
     scene = lit_quad()
-    scene.set_world(color=(0.0, 0.0, 0.0))
+    scene.set_world((0.0, 0.0, 0.0))
     with pytest.warns(UserWarning, match="there is no light in the scene"):
         eyecore.render(scene, eyecore.Observer(pupil=4), eyecore.Settings(samples=1))
 
 
 def test_numpy_numbers_are_numbers() -> None:
     scene = eyecore.Scene()
-    scene.add_material("m", roughness=np.float32(0.5), metallic=np.int64(1))
+    inputs = {"Roughness": np.float32(0.5), "Metallic": np.int64(1)}
+    add_plain(scene, "m", "BSDF_PRINCIPLED", inputs)
     eyecore.Observer(pupil=np.float32(3.0), focus=np.float64(2.0))
 
 

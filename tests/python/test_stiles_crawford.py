@@ -26,7 +26,7 @@ def flat_picture(
 ) -> np.ndarray:
     """A small window on a world of radiance 0.5."""
     scene = eyecore.Scene()
-    scene.set_world(color=(0.5, 0.5, 0.5))
+    scene.set_world((0.5, 0.5, 0.5))
     bounds = (center_slope - 0.001, center_slope + 0.001, -0.001, 0.001)
     scene.set_camera(np.eye(4), bounds, (8, 8))
     return eyecore.render(

@@ -81,13 +81,13 @@ def test_repr_is_what_makes_it() -> None:
 def test_spherical_aberration_blurs_a_point_that_the_prescription_has_in_focus() -> None:
     scene = eyecore.Scene()
     # A dark square edge to edge with a bright world behind it, far away, under a pupil of 6 mm.
-    dark = scene.add_material("dark", "EMISSION", emission_strength=0.0)
+    dark = scene.add_material("dark")
     quad = np.array([[-1, -1, 0], [0, -1, 0], [0, 1, 0], [-1, 1, 0]], np.float32) * 1e4
     at = np.eye(4)
     at[2, 3] = -1e3
     triangles = np.array([[0, 1, 2], [0, 2, 3]], np.uint32)
     scene.add_instances(scene.add_mesh("edge", quad, triangles), at[None], [dark])
-    scene.set_world(color=(1.0, 1.0, 1.0))
+    scene.set_world((1.0, 1.0, 1.0))
     # 16 pixels of half an arc minute across.
     half = 8 * 0.5 / 3437.75
     scene.set_camera(np.eye(4), (-half, half, -half / 8, half / 8), (16, 2), clip=(0.01, 1e9))
