@@ -113,7 +113,7 @@ def _sample_range(text: str) -> tuple[int, int]:
 
 def _report_path(text: str) -> Path:
     path = Path(text)
-    if path.suffix != ".json":
+    if path.suffix != ".json" or path.is_dir():
         raise ValueError("expected FILE.json")
     is_beside_the_scene = text.startswith("//")  # whose folder is not known yet
     if not is_beside_the_scene and not path.parent.is_dir():

@@ -274,3 +274,9 @@ def test_what_the_light_does_in_the_eye_can_be_chosen(run_blender, picture):
 def test_a_prescription_for_the_eye_that_does_not_look_is_told(run_blender):
     ended = run_blender("--", "--eye-rx-left", "-2.00DS")
     assert "warning: --eye-rx-left is not for the right eye, which this" in ended.stdout
+
+
+def test_a_folder_is_no_file_for_a_report(tmp_path):
+    (tmp_path / "eye.json").mkdir()
+    with pytest.raises(batch.OptionError, match="expected FILE.json"):
+        batch.parse(["--eye-report", str(tmp_path / "eye.json")])
