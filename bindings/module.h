@@ -26,7 +26,7 @@ void bind_nodes(py::module_& m);
 void bind_scene(py::module_& m);  // after bind_nodes
 void bind_observer(py::module_& m);
 void bind_settings(py::module_& m);
-void bind_render(py::module_& m);  // after those of what a session is made of
+void bind_render(py::module_& m);    // after those of what a session is made of
 void bind_analysis(py::module_& m);  // after bind_eye and bind_observer, whose classes it uses
 
 // Arrays of any layout and number type are taken; C order of the wanted type costs no copy.
