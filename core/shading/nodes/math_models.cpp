@@ -3,9 +3,9 @@
 
 #include "shading/functions/color_models.h"
 #include "shading/functions/spectral_colors.h"
-#include "shading/nodes/constant_option.h"
 #include "shading/nodes/converter_nodes.h"
 #include "shading/nodes/make_node.h"
+#include "shading/nodes/vector_option.h"
 
 #include <array>
 
@@ -82,7 +82,7 @@ private:
 class ConstantColorNode final : public ValueNode {
 public:
     explicit ConstantColorNode(const NodeOptions& options)
-        : value_(constant_option(options, V3f(0.5f)))
+        : value_(vector_option(options, "value", V3f(0.5f)))
     {
     }
 

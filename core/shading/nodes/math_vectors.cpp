@@ -2,9 +2,9 @@
 
 #include "shading/functions/rotation.h"
 #include "shading/functions/vector_operations.h"
-#include "shading/nodes/constant_option.h"
 #include "shading/nodes/converter_nodes.h"
 #include "shading/nodes/make_node.h"
+#include "shading/nodes/vector_option.h"
 
 #include <array>
 
@@ -107,7 +107,7 @@ private:
 class NormalNode final : public ValueNode {
 public:
     explicit NormalNode(const NodeOptions& options)
-        : direction_(safe_normalized(constant_option(options, V3f(0.0f, 0.0f, 1.0f))))
+        : direction_(safe_normalized(vector_option(options, "value", V3f(0.0f, 0.0f, 1.0f))))
     {
     }
 

@@ -33,7 +33,7 @@ constexpr NodeType add_shader{.name = "ADD_SHADER",
     std::vector<const NodeType*> all{&mix_shader, &add_shader};
     for (const auto& family :
          {closure_nodes(), procedural_texture_nodes(), image_texture_nodes(), math_nodes(),
-          color_nodes(), coordinate_nodes(), input_nodes(), normal_nodes()}) {
+          color_nodes(), sky_nodes(), coordinate_nodes(), input_nodes(), normal_nodes()}) {
         for (const NodeType& type : family) {
             all.push_back(&type);
         }

@@ -1,0 +1,59 @@
+// Blender's sky of Nishita et al. 1993: a table of the sky's light over the upper hemisphere, and
+// the sun's disc. Directions are towards the sky, +Z up; linear Rec. 709.
+
+#pragma once
+
+#include "shading/sky.h"
+#include "shading/sky/atmosphere.h"
+
+#include <vector>
+
+namespace eye_render {
+
+struct NishitaSettings {
+    bool has_disc = true;
+    double sun_size_rad = 0.009512;  // across
+    double sun_intensity = 1.0;
+    double sun_elevation_rad = 0.2617993951;
+    double sun_rotation_rad = 0.0;  // clockwise seen from above, from +Y
+    double altitude_m = 0.0;
+    Atmosphere atmosphere;
+};
+
+// The disc alone, without the work that the table is.
+class NishitaSun {
+public:
+    explicit NishitaSun(const NishitaSettings& settings);
+
+    [[nodiscard]] bool has_disc() const { return has_disc_; }
+    [[nodiscard]] const V3f& direction() const { return direction_; }
+    // Within the disc's rim, above the horizon; otherwise nothing.
+    [[nodiscard]] std::optional<Color3f> radiance(const V3f& direction) const;
+    [[nodiscard]] std::optional<SunDisc> disc() const;
+
+private:
+    bool has_disc_;
+    V3f direction_;
+    float elevation_rad_;
+    float radius_rad_;
+    // The air reddens the lower rim. Unclamped.
+    Color3f lower_;
+    Color3f upper_;
+};
+
+class NishitaSky {
+public:
+    explicit NishitaSky(const NishitaSettings& settings);
+
+    [[nodiscard]] Color3f radiance(const V3f& direction) const;
+
+private:
+    [[nodiscard]] Color3f interpolated(float x, float y) const;
+
+    NishitaSun sun_;
+    float rotation_rad_;
+    // Half the sky, as the sun's side mirrors the other; rows closer at the horizon. Unclamped.
+    std::vector<Color3f> table_;
+};
+
+}  // namespace eye_render
