@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "base/error.h"
 #include "shading/node.h"
 #include "shading/procedural/point.h"
 
@@ -12,6 +13,8 @@ namespace eye_render {
 // Where the texture is looked up: Blender's generated coordinates unless linked.
 inline constexpr InputSocket texture_vector{"Vector", SocketType::Vector, NodeValue(0.0f),
                                             ImplicitInput::Generated};
+
+inline constexpr InputSocket texture_scale{"Scale", SocketType::Number, NodeValue(5.0f)};
 
 inline constexpr OutputSocket color_and_fac[] = {{"Color", SocketType::Color}, {"Fac"}};
 
@@ -26,6 +29,27 @@ template <typename Node>
 [[nodiscard]] inline int dimensions_of(const NodeOptions& options, const std::string& name)
 {
     return options.choice<int>(name, {{"3D", 3}, {"1D", 1}, {"2D", 2}, {"4D", 4}});
+}
+
+// An option that is a number. Throw std::invalid_argument for one out of range.
+[[nodiscard]] inline float number_in_range(const NodeOptions& options,
+                                           const char* name,
+                                           double otherwise,
+                                           double lowest,
+                                           double highest)
+{
+    const double value = options.number(name, otherwise);
+    require_range(name, value, lowest, highest, "");
+    return static_cast<float>(value);
+}
+
+[[nodiscard]] inline int integer_in_range(const NodeOptions& options,
+                                          const char* name,
+                                          double otherwise,
+                                          double lowest,
+                                          double highest)
+{
+    return static_cast<int>(number_in_range(options, name, otherwise, lowest, highest));
 }
 
 // What the function says of the place in that many dimensions. One dimension is W alone, four are

@@ -1,42 +1,13 @@
-// Textures that repeat: Wave, Magic, Brick and Checker. And Gradient.
+// Textures that change steadily: Wave, Magic and Gradient.
 
-#include "base/error.h"
 #include "shading/nodes/procedural_nodes.h"
-#include "shading/procedural/brick.h"
-#include "shading/procedural/checker.h"
 #include "shading/procedural/gradient.h"
 #include "shading/procedural/magic.h"
-#include "shading/procedural/safe_float.h"
 #include "shading/procedural/wave.h"
 
 namespace eye_render {
 
 namespace {
-
-// Of Checker and Brick.
-constexpr InputSocket color1{"Color1", SocketType::Color, NodeValue(0.8f)};
-constexpr InputSocket color2{"Color2", SocketType::Color, NodeValue(0.2f)};
-constexpr InputSocket texture_scale{"Scale", SocketType::Number, NodeValue(5.0f)};
-
-[[nodiscard]] float number_in_range(const NodeOptions& options,
-                                    const char* name,
-                                    double otherwise,
-                                    double lowest,
-                                    double highest)
-{
-    const double value = options.number(name, otherwise);
-    require_range(name, value, lowest, highest, "");
-    return static_cast<float>(value);
-}
-
-[[nodiscard]] int integer_in_range(const NodeOptions& options,
-                                   const char* name,
-                                   double otherwise,
-                                   double lowest,
-                                   double highest)
-{
-    return static_cast<int>(number_in_range(options, name, otherwise, lowest, highest));
-}
 
 class WaveNode final : public ValueNode {
 public:
@@ -117,68 +88,6 @@ private:
     int depth_;
 };
 
-class BrickNode final : public ValueNode {
-public:
-    enum Input : std::size_t {
-        Vector,
-        Color1,
-        Color2,
-        Mortar,
-        Scale,
-        MortarSize,
-        MortarSmooth,
-        Bias,
-        BrickWidth,
-        RowHeight
-    };
-    enum Output : std::size_t { Color, Fac };
-
-    explicit BrickNode(const NodeOptions& options)
-        : layout_{
-              .offset = number_in_range(options, "offset", 0.5, 0.0, 1.0),
-              .offset_frequency = integer_in_range(options, "offset_frequency", 2.0, 1.0, 99.0),
-              .squash = number_in_range(options, "squash", 1.0, 0.0, 99.0),
-              .squash_frequency = integer_in_range(options, "squash_frequency", 2.0, 1.0, 99.0)}
-    {
-    }
-
-    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
-    {
-        Brick brick = layout_;
-        brick.mortar_size = in.number(MortarSize);
-        brick.mortar_smooth = in.number(MortarSmooth);
-        brick.bias = in.number(Bias);
-        brick.brick_width = in.number(BrickWidth);
-        brick.row_height = in.number(RowHeight);
-        const auto [tint, mortar] = brick_texture(in.vector(Vector) * in.number(Scale), brick);
-        out[Fac] = NodeValue(mortar);
-        if (in.wants(Color)) {
-            const V3f stone = blend(in.vector(Color1), in.vector(Color2), tint);
-            out[Color] = blend(stone, in.vector(Mortar), mortar);
-        }
-    }
-
-private:
-    Brick layout_;
-};
-
-class CheckerNode final : public ValueNode {
-public:
-    enum Input : std::size_t { Vector, Color1, Color2, Scale };
-    enum Output : std::size_t { Color, Fac };
-
-    explicit CheckerNode(const NodeOptions& /*options*/) {}
-
-    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
-    {
-        const bool is_set = checker_texture(in.vector(Vector) * in.number(Scale));
-        out[Fac] = NodeValue(is_set ? 1.0f : 0.0f);
-        if (in.wants(Color)) {
-            out[Color] = in.vector(is_set ? Color1 : Color2);
-        }
-    }
-};
-
 class GradientNode final : public ValueNode {
 public:
     enum Input : std::size_t { Vector };
@@ -236,38 +145,6 @@ NodeType magic_texture_node()
             .outputs = color_and_fac,
             .options = options,
             .make_value = make_texture<MagicNode>};
-}
-
-NodeType brick_texture_node()
-{
-    static constexpr InputSocket inputs[] = {
-        texture_vector,
-        color1,
-        color2,
-        {"Mortar", SocketType::Color},
-        texture_scale,
-        {"Mortar Size", SocketType::Number, NodeValue(0.02f)},
-        {"Mortar Smooth", SocketType::Number, NodeValue(0.1f)},
-        {"Bias"},
-        {"Brick Width", SocketType::Number, NodeValue(0.5f)},
-        {"Row Height", SocketType::Number, NodeValue(0.25f)}};
-    static constexpr std::string_view options[] = {"offset", "offset_frequency", "squash",
-                                                   "squash_frequency"};
-    return {.name = "TEX_BRICK",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = options,
-            .make_value = make_texture<BrickNode>};
-}
-
-NodeType checker_texture_node()
-{
-    static constexpr InputSocket inputs[] = {texture_vector, color1, color2, texture_scale};
-    return {.name = "TEX_CHECKER",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = {},
-            .make_value = make_texture<CheckerNode>};
 }
 
 NodeType gradient_texture_node()
