@@ -23,7 +23,7 @@ def difference(scene, render):
 
     def run() -> float:
         scene.render.resolution_x = scene.render.resolution_y = RESOLUTION
-        scene.eye_render.samples = scene.cycles.samples = 16
+        scene.eye_render.samples = scene.cycles.samples = 128
         scene.cycles.device = "CPU"
         scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
         scene.camera.data.eye_render.model = "PINHOLE"
@@ -116,7 +116,7 @@ def object_info(material, shown):
         copy = add_object(shown.data, f"Größe {number}")
         copy.location = (number - 2.0, 1.5, -6.0)
         copy.color = (0.2 * number, 0.5, 1.0, 1.0)
-        copy.pass_index = number
+        copy.pass_index = number % 2
     info = add_node(material, "ShaderNodeObjectInfo")
     combine = add_node(material, "ShaderNodeCombineXYZ")
     link(material, info.outputs["Random"], combine.inputs["X"])
@@ -154,7 +154,7 @@ def group_in_a_group(material, _shown):
     add_group_socket(outer, "OUTPUT", "NodeSocketVector", "Vector")
     node = outer.nodes.new("ShaderNodeGroup")
     node.node_tree = inner
-    node.inputs["Scale"].default_value = 3.0
+    node.inputs["Scale"].default_value = 2.9  # the faces lie within a stripe
     outer.links.new(outer.nodes.new("NodeGroupInput").outputs[0], node.inputs["Vector"])
     outer.links.new(node.outputs[0], outer.nodes.new("NodeGroupOutput").inputs[0])
     group = add_node(material, "ShaderNodeGroup", node_tree=outer)

@@ -15,7 +15,7 @@ def random_of(instance: bpy.types.DepsgraphObjectInstance) -> float:
 def _hash_name(name: str) -> int:
     number = 0
     for byte in name.encode():
-        number = (number * 37 + (byte - 256 if byte > 127 else byte)) & _MASK
+        number = (number * 37 + byte) & _MASK
     return _jenkins(number)
 
 
