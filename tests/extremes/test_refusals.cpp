@@ -189,11 +189,28 @@ TEST_P(Refusals, of_every_number_of_a_description)
     }
 }
 
+TEST(WavefrontRefusals, of_a_pupil_wider_than_its_wavefront)
+{
+    EyeSpec spec = spec_of({.model = EyeModelKind::Wavefront, .pupil_mm = 6.5});
+    spec.wavefront->pupil_diameter_m = 6e-3;
+    try {
+        static_cast<void>(make_eye(spec));
+        ADD_FAILURE() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_TRUE(is_proper_refusal(error.what()));
+    }
+}
+
 TEST_P(Refusals, of_objects_at_no_distance)
 {
     const auto eye = make_eye(spec_of({.model = GetParam()}));
-    for (const double bad_m : {static_cast<double>(NAN), 0.0, -0.0, -1.0, -infinity}) {
-        EXPECT_THROW(static_cast<void>(blur_at(*eye, bad_m)), std::invalid_argument) << bad_m;
+    for (const double bad_m : {static_cast<double>(NAN), 0.0, -0.0, 0.0099, -1.0, -infinity}) {
+        try {
+            static_cast<void>(blur_at(*eye, bad_m));
+            ADD_FAILURE() << bad_m << " m was accepted";
+        } catch (const std::invalid_argument& error) {
+            EXPECT_TRUE(is_proper_refusal(error.what())) << bad_m;
+        }
     }
     EXPECT_NEAR(blur_at(*eye, 1e300).major_arcmin, blur_at(*eye, infinity).major_arcmin, 1e-9);
 }
