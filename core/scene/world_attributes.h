@@ -24,7 +24,8 @@ public:
     [[nodiscard]] V3f smooth_normal() const override { return -direction_; }
     [[nodiscard]] const ObjectFacts& object() const override
     {
-        static const ObjectFacts nothing{.color = Color4f(0.0f)};
+        static const ObjectFacts nothing{
+            .world_from_object = {}, .object_from_world = {}, .color = Color4f(0.0f)};
         return nothing;
     }
     [[nodiscard]] const ViewFrame& view() const override { return frame_.direction_view; }

@@ -76,7 +76,7 @@ NodeGraph::Source& NodeGraph::input(std::size_t node, std::string_view identifie
 void NodeGraph::set(std::size_t node, std::string_view input_identifier, const NodeValue& value)
 {
     Source& source = input(node, input_identifier);
-    if (!std::isfinite(value.x + value.y + value.z)) {
+    if (!std::isfinite(value.x) || !std::isfinite(value.y) || !std::isfinite(value.z)) {
         throw std::invalid_argument("input '" + std::string(input_identifier) + "' of " +
                                     std::string(nodes_[node].type->name) +
                                     " is not finite; expected finite numbers");
@@ -86,7 +86,12 @@ void NodeGraph::set(std::size_t node, std::string_view input_identifier, const N
 
 void NodeGraph::link(std::size_t node, std::string_view input_identifier, const NodeOutput& from)
 {
-    static_cast<void>(checked(from.node));
+    const NodeType& type = *checked(from.node).type;
+    if (from.output >= type.outputs.size()) {
+        throw std::invalid_argument("output " + std::to_string(from.output) + " of " +
+                                    std::string(type.name) + " does not exist; it has " +
+                                    std::to_string(type.outputs.size()));
+    }
     input(node, input_identifier) = from;
 }
 

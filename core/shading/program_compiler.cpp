@@ -30,7 +30,8 @@ namespace {
 class ProgramCompiler {
 public:
     ProgramCompiler(const NodeGraph& graph, NodeResources& resources, ShaderProgram& program)
-        : graph_(graph), resources_(resources), program_(program), compiled_(graph.size())
+        : graph_(graph), resources_(resources), program_(program), compiled_(graph.size()),
+          is_on_the_way_(graph.size(), false)
     {
     }
 
@@ -122,6 +123,13 @@ private:
         return inputs;
     }
 
+    [[noreturn]] void refuse_circle(std::size_t number) const
+    {
+        throw std::invalid_argument("the links of node " + std::to_string(number) + " (" +
+                                    std::string(graph_.node(number).type->name) +
+                                    ") run in a circle");
+    }
+
     const Compiled& compile(std::size_t number)
     {
         Compiled& compiled = compiled_[number];
@@ -130,8 +138,7 @@ private:
             return compiled;
         }
         if (compiled.state == Compiled::State::Begun) {
-            throw std::invalid_argument("the links of node " + std::to_string(number) + " (" +
-                                        std::string(node.type->name) + ") run in a circle");
+            refuse_circle(number);
         }
         compiled.state = Compiled::State::Begun;
         ProgramStep step{.inputs = inputs_of(node),
@@ -168,10 +175,14 @@ private:
                       const std::vector<ProgramLeaf::Factor>& factors)
     {
         const NodeGraph::Node& node = graph_.node(output.node);
+        if (is_on_the_way_[output.node]) {
+            refuse_circle(output.node);
+        }
         if (++depth_ > deepest) {
             throw std::invalid_argument("mixed shaders are nested more than " +
-                                        std::to_string(deepest) + " deep or run in a circle");
+                                        std::to_string(deepest) + " deep");
         }
+        is_on_the_way_[output.node] = true;
         switch (node.type->role) {
         case NodeRole::MixShader: add_mix(node, constant_weight, factors); break;
         case NodeRole::AddShader:
@@ -184,6 +195,7 @@ private:
             break;
         case NodeRole::Value: add_shining(output, constant_weight, factors); break;
         }
+        is_on_the_way_[output.node] = false;
         --depth_;
     }
 
@@ -237,6 +249,10 @@ private:
                   float constant_weight,
                   const std::vector<ProgramLeaf::Factor>& factors)
     {
+        if (program_.leaves_.size() == most_leaves) {
+            throw std::invalid_argument("a mix of shaders has more than " +
+                                        std::to_string(most_leaves) + " shaders");
+        }
         std::vector<std::optional<NodeValue>> constants;
         constants.reserve(inputs.size());
         for (const ProgramInput& input : inputs) {
@@ -252,11 +268,14 @@ private:
     }
 
     static constexpr int deepest = 64;
+    // Ways to a closure double at every level where both inputs of a mix are linked to one node.
+    static constexpr std::size_t most_leaves = 256;
 
     const NodeGraph& graph_;
     NodeResources& resources_;
     ShaderProgram& program_;
     std::vector<Compiled> compiled_;
+    std::vector<bool> is_on_the_way_;  // to the closure that is added
     int depth_ = 0;
 };
 

@@ -13,11 +13,12 @@ namespace eye_render {
     return {p.x, p.y, -p.z};
 }
 
-// 0 to 1 over the picture, from the bottom left; 0 where the camera cannot see.
+// 0 to 1 over the picture, from the bottom left. The projection goes on behind the camera, where
+// it is turned over, as in Cycles.
 [[nodiscard]] inline V3f window_position(const HitAttributes& attributes)
 {
     const V3f p = view_position(attributes);
-    if (!(p.z > 0.0f)) {
+    if (p.z == 0.0f) {
         return V3f(0.0f);
     }
     const ViewFrame& view = attributes.view();

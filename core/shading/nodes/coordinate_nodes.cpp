@@ -30,12 +30,16 @@ using enum SocketType;
     return result;
 }
 
+// The direction across the normal that is nearest to `v`, unit.
+[[nodiscard]] V3f turned_into(const V3f& n, const V3f& v)
+{
+    return unit_or(n.cross(unit_or(v.cross(n), V3f(0.0f))), V3f(0.0f));
+}
+
 // Around an axis of the texture space, turned into the surface.
 [[nodiscard]] V3f radial_tangent(const Hit& hit, const V3f& around)
 {
-    const V3f world = normal_to_world(hit.attributes.object(), around);
-    const V3f& n = hit.point.ns;
-    return unit_or(n.cross(unit_or(world.cross(n), V3f(0.0f))), V3f(0.0f));
+    return turned_into(hit.point.ns, normal_to_world(hit.attributes.object(), around));
 }
 
 class TextureCoordinateNode final : public ValueNode {
@@ -106,8 +110,9 @@ void geometry(const NodeInputs& in, std::span<NodeValue> out)
     }
     out[3] = hit.point.ng;
     out[4] = hit.point.wo;
+    // Weights of the first two corners: Cycles' choice.
     const V2f parametric = hit.attributes.parametric();
-    out[5] = {parametric.x, parametric.y, 0.0f};
+    out[5] = {1.0f - parametric.x - parametric.y, parametric.x, 0.0f};
     out[6] = NodeValue(hit.point.backfacing ? 1.0f : 0.0f);
 }
 
@@ -132,7 +137,8 @@ public:
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
-        const Color4f c = in.hit().attributes.attribute(attribute_).value;
+        const AttributeValue found = in.hit().attributes.attribute(attribute_);
+        const Color4f& c = found.value;
         const V3f rgb(c.r, c.g, c.b);
         out[0] = rgb;
         if (is_color_) {
@@ -141,7 +147,8 @@ public:
         }
         out[1] = rgb;
         out[2] = NodeValue((c.r + c.g + c.b) / 3.0f);
-        out[3] = NodeValue(c.a);
+        // What does not exist is opaque here, as in Cycles.
+        out[3] = NodeValue(found.exists ? c.a : 1.0f);
     }
 
 private:
@@ -160,9 +167,11 @@ public:
     {
         const Hit& hit = in.hit();
         if (uv_layer_ != radial) {
-            const V3f tangent = hit.attributes.tangent(uv_layer_).tangent;
-            const V3f& n = hit.point.ns;
-            out[0] = unit_or(n.cross(unit_or(tangent.cross(n), V3f(0.0f))), V3f(0.0f));
+            // As Cycles has it: brought to the world as a normal is, where an object is stretched.
+            const ObjectFacts& object = hit.attributes.object();
+            V3f own;
+            object.object_from_world.multDirMatrix(hit.attributes.tangent(uv_layer_).tangent, own);
+            out[0] = turned_into(hit.point.ns, normal_to_world(object, own));
             return;
         }
         const V3f from_middle = hit.attributes.generated() - V3f(0.5f);

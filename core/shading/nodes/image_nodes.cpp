@@ -39,20 +39,23 @@ public:
         if (tiles_.empty()) {
             return attributes.texture(texture_, uv);
         }
+        // Towards zero, as Cycles counts: what is less than 1 below belongs to the first tiles.
         constexpr float columns = 10.0f;
-        const V2f corner(std::floor(uv.x), std::floor(uv.y));
+        constexpr float rows = 100.0f;
+        const V2f corner(std::trunc(uv.x), std::trunc(uv.y));
         const bool is_in_grid =
-            corner.x >= 0.0f && corner.x < columns && corner.y >= 0.0f && corner.y < 100.0f;
+            corner.x >= 0.0f && corner.x < columns && corner.y >= 0.0f && corner.y < rows;
         const auto tile =
             is_in_grid
                 ? tiles_.find(1001 + static_cast<int>(corner.x) + 10 * static_cast<int>(corner.y))
                 : tiles_.end();
-        // Where there is no tile a UDIM set is transparent black.
-        return tile == tiles_.end() ? Color4f(0.0f)
-                                    : attributes.texture(tile->second, uv - corner);
+        return tile == tiles_.end() ? missing_tile : attributes.texture(tile->second, uv - corner);
     }
 
 private:
+    // Magenta, as all pictures that are missing.
+    static inline const Color4f missing_tile{1.0f, 0.0f, 1.0f, 1.0f};
+
     int texture_;
     std::map<int, int> tiles_;
 };

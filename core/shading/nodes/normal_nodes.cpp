@@ -14,6 +14,52 @@ namespace {
 using enum SocketType;
 using Made = std::unique_ptr<const ValueNode>;
 
+// To the world: what moves, and what stands on a surface.
+[[nodiscard]] V3f vector_to_world(const Hit& hit, const V3f& v)
+{
+    V3f world;
+    hit.attributes.object().world_from_object.multDirMatrix(v, world);
+    return world;
+}
+
+[[nodiscard]] V3f normal_to_world(const Hit& hit, const V3f& n)
+{
+    V3f world;
+    hit.attributes.object().object_from_world.transposed().multDirMatrix(n, world);
+    return world;
+}
+
+[[nodiscard]] V3f normal_to_object(const Hit& hit, const V3f& n)
+{
+    V3f own;
+    hit.attributes.object().world_from_object.transposed().multDirMatrix(n, own);
+    return unit_or(own, n);
+}
+
+// A UV layer's directions in the object's own space, where Blender lays its maps: the object may
+// stretch them. Unit; the tangent is zero where the layer has none.
+struct OwnFrame {
+    V3f tangent{0.0f};
+    V3f bitangent{0.0f};
+    V3f normal{0.0f};
+
+    // `normal_world` on the side that the frame shall have.
+    OwnFrame(const Hit& hit, int uv_layer, const V3f& normal_world)
+    {
+        const TangentFrame frame = hit.attributes.tangent(uv_layer);
+        if (frame.tangent.length2() == 0.0f) {
+            return;
+        }
+        const ObjectFacts& object = hit.attributes.object();
+        object.object_from_world.multDirMatrix(frame.tangent, tangent);
+        tangent = unit_or(tangent, V3f(0.0f));
+        normal = normal_to_object(hit, normal_world);
+        const bool is_mirrored = object.world_from_object.determinant() < 0.0f;
+        bitangent = unit_or(normal.cross(tangent), V3f(0.0f)) *
+                    (is_mirrored ? -frame.bitangent_sign : frame.bitangent_sign);
+    }
+};
+
 class NormalMapNode final : public ValueNode {
 public:
     // The BLENDER spaces have Y and Z reversed, as Blender's old baker wrote them.
@@ -32,18 +78,16 @@ public:
 private:
     [[nodiscard]] V3f from_tangent_space(const Hit& hit, const V3f& map, float strength) const
     {
-        const TangentFrame frame = hit.attributes.tangent(uv_layer_);
-        if (frame.tangent.length2() == 0.0f) {
+        // The map belongs to the mesh's own side, so it is applied before the turn to the viewer.
+        const OwnFrame own(hit, uv_layer_, hit.attributes.smooth_normal());
+        if (own.tangent.length2() == 0.0f) {
             return hit.point.ns;
         }
-        // The map belongs to the mesh's own side, so it is applied before the turn to the viewer.
         const float turn = hit.point.backfacing ? -1.0f : 1.0f;
-        const V3f own = hit.attributes.smooth_normal();
-        const V3f bitangent = own.cross(frame.tangent) * frame.bitangent_sign;
         const float z = 1.0f + (map.z - 1.0f) * std::min(strength, 1.0f);
-        return unit_or(
-            (frame.tangent * (map.x * strength) + bitangent * (map.y * strength) + own * z) * turn,
-            hit.point.ns);
+        const V3f bent =
+            own.tangent * (map.x * strength) + own.bitangent * (map.y * strength) + own.normal * z;
+        return unit_or(normal_to_world(hit, bent) * turn, hit.point.ns);
     }
 
     [[nodiscard]] V3f from_fixed_space(const Hit& hit, const V3f& map, float strength) const
@@ -51,9 +95,7 @@ private:
         const bool is_reversed = space_ == Space::BlenderObject || space_ == Space::BlenderWorld;
         V3f normal = is_reversed ? V3f(map.x, -map.y, -map.z) : map;
         if (space_ == Space::Object || space_ == Space::BlenderObject) {
-            V3f world;
-            hit.attributes.object().object_from_world.transposed().multDirMatrix(normal, world);
-            normal = world;
+            normal = normal_to_world(hit, normal);
         }
         normal = unit_or(normal, hit.point.ns);
         if (hit.point.backfacing) {
@@ -100,14 +142,6 @@ private:
     bool is_inverted_;
 };
 
-// To the world, where the displacement of the surface is wanted.
-[[nodiscard]] V3f vector_to_world(const Hit& hit, const V3f& v)
-{
-    V3f world;
-    hit.attributes.object().world_from_object.multDirMatrix(v, world);
-    return world;
-}
-
 class DisplacementNode final : public ValueNode {
 public:
     explicit DisplacementNode(bool in_object_space) : in_object_space_(in_object_space) {}
@@ -118,10 +152,7 @@ public:
         V3f normal = in.vector(3);
         if (in_object_space_) {
             // Along the normal, by a length of the object's own space.
-            const Hit& hit = in.hit();
-            V3f own;
-            hit.attributes.object().world_from_object.transposed().multDirMatrix(normal, own);
-            normal = vector_to_world(hit, unit_or(own, V3f(0.0f)));
+            normal = vector_to_world(in.hit(), normal_to_object(in.hit(), normal));
         }
         out[0] = normal * height;
     }
@@ -145,10 +176,9 @@ public:
         case Space::Object: out[0] = vector_to_world(hit, offset); return;
         case Space::Tangent: break;
         }
-        const TangentFrame frame = hit.attributes.tangent(HitAttributes::active_uv_layer);
-        const V3f own = hit.attributes.smooth_normal();
-        const V3f bitangent = own.cross(frame.tangent) * frame.bitangent_sign;
-        out[0] = frame.tangent * offset.x + own * offset.y + bitangent * offset.z;
+        const OwnFrame own(hit, HitAttributes::active_uv_layer, hit.point.ns);
+        out[0] = vector_to_world(hit, own.tangent * offset.x + own.normal * offset.y +
+                                          own.bitangent * offset.z);
     }
 
 private:
