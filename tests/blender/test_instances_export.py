@@ -151,3 +151,51 @@ def test_instances_tell_nothing_that_nobody_asks(scene, export):
     add_object(cube_mesh()).color = (1.0, 0.0, 0.0, 1.0)
     (told,) = export().instances
     assert not hasattr(told, "colors")
+
+
+def test_objects_hide_from_kinds_of_rays(scene, export):
+    shown = add_object(cube_mesh())
+    shown.visible_glossy = shown.visible_shadow = False
+    (told,) = export().instances
+    assert told.hidden_from == ("GLOSSY", "SHADOW")
+    assert not told.is_holdout
+
+
+def test_an_instance_hides_as_its_object_or_as_the_one_that_places_it(scene, export):
+    inner = bpy.data.collections.new("Inner")
+    cube = bpy.data.objects.new("Cube", cube_mesh())
+    cube.visible_diffuse = False
+    inner.objects.link(cube)
+    empty = add_object(None)
+    empty.instance_type, empty.instance_collection = "COLLECTION", inner
+    empty.visible_camera = False
+    (told,) = export().instances
+    assert told.hidden_from == ("CAMERA", "DIFFUSE")
+
+
+@pytest.mark.parametrize("where", ["object", "collection"])
+def test_holdouts_of_objects_and_collections_are_cut_out(scene, export, where):
+    collection = bpy.data.collections.new("Cut out")
+    scene.collection.children.link(collection)
+    shown = bpy.data.objects.new("Cube", cube_mesh())
+    collection.objects.link(shown)
+    shown.is_holdout = where == "object"
+    layer = bpy.context.view_layer.layer_collection.children["Cut out"]
+    layer.holdout = where == "collection"
+    (told,) = export().instances
+    assert told.is_holdout
+
+
+def test_a_collection_seen_only_indirectly_is_hidden_from_the_camera(scene, export):
+    collection = bpy.data.collections.new("Aside")
+    scene.collection.children.link(collection)
+    collection.objects.link(bpy.data.objects.new("Cube", cube_mesh()))
+    bpy.context.view_layer.layer_collection.children["Aside"].indirect_only = True
+    (told,) = export().instances
+    assert told.hidden_from == ("CAMERA",)
+
+
+def test_a_shadow_catcher_is_named(scene, export):
+    add_object(cube_mesh(), "Floor").is_shadow_catcher = True
+    (warning,) = export().warnings
+    assert "Floor" in warning

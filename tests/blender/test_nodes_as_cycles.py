@@ -114,7 +114,7 @@ def attribute_of_points(material, shown):
 def object_info(material, shown):
     for number in range(5):
         copy = add_object(shown.data, f"Größe {number}")
-        copy.location = (number - 2.0, 1.5, -6.0)
+        copy.location = (2.5 * (number - 2.0), 3.0, -12.0)
         copy.color = (0.2 * number, 0.5, 1.0, 1.0)
         copy.pass_index = number % 2
     info = add_node(material, "ShaderNodeObjectInfo")

@@ -1,6 +1,7 @@
 """What the render sees: every mesh once, every instance of it as a matrix, and the lamps."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import bpy
 import numpy as np
@@ -10,18 +11,25 @@ from . import light
 from .material import MaterialTable
 from .mesh import add_mesh
 from .object_random import random_of
+from .visibility import Visibility, visibility_of
 
 # What Blender also lists beside the mesh that it evaluated from it.
 _SHOWN_AS_MESH = {"CURVE", "SURFACE", "FONT", "META"}
 _NOT_GEOMETRY = {"EMPTY", "CAMERA", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE"}
 
 
-class _Wearers:
-    """Instances of one mesh that look alike, and what tells them apart if anybody asks."""
+class _Look(NamedTuple):
+    """What instances of a mesh have in common."""
 
-    def __init__(self, materials: tuple[int, ...], pass_index: int, tells_apart: bool):
-        self.materials = materials
-        self.pass_index = pass_index
+    materials: tuple[int, ...]
+    pass_index: int
+    visibility: Visibility
+
+
+class _Group:
+    """The instances of one mesh with one look, and what tells them apart if anybody asks."""
+
+    def __init__(self, tells_apart: bool):
         self.tells_apart = tells_apart
         self.matrices: list[Matrix] = []
         self.colors: list[tuple[float, ...]] = []
@@ -35,14 +43,14 @@ class _Wearers:
 
 
 class _Geometry:
-    """One evaluated mesh and its instances, grouped by the materials they wear."""
+    """One evaluated mesh and all its instances."""
 
     def __init__(self, mesh: bpy.types.Mesh):
         self.mesh = mesh
-        self.wearers: dict[tuple, _Wearers] = {}
+        self.groups: dict[_Look, _Group] = {}
 
     def material_ids(self) -> list[int]:
-        return sorted({number for worn in self.wearers.values() for number in worn.materials})
+        return sorted({number for look in self.groups for number in look.materials})
 
 
 def export_instances(
@@ -54,7 +62,7 @@ def export_instances(
 ) -> None:
     """Add all visible meshes, their instances and the lamps to the core's scene."""
     geometries: dict[int, _Geometry] = {}
-    worn_by: dict[tuple[int, int], tuple[int, ...]] = {}
+    groups: dict[tuple[int, int, int], _Group] = {}
     for instance in depsgraph.object_instances:
         if not instance.show_self:
             continue
@@ -64,22 +72,23 @@ def export_instances(
         elif shown.type == "MESH":
             # The evaluated mesh is shared by the objects that do not modify it, and by nobody
             # else, so its address tells which instances have the same geometry.
-            mesh = shown.data
-            address = mesh.as_pointer()
-            geometry = geometries.get(address)
-            if geometry is None:
+            address = shown.data.as_pointer()
+            placer = instance.parent if instance.is_instance else shown
+            key = (shown.original.as_pointer(), address, placer.original.as_pointer())
+            group = groups.get(key)
+            if group is None:
                 check_cancel()
-                geometry = geometries[address] = _Geometry(mesh)
-                _warn_of_hair(shown, warn)
-            wearer = (shown.original.as_pointer(), address)
-            worn = worn_by.get(wearer)
-            if worn is None:
-                worn = worn_by[wearer] = materials.worn_by(shown)
-            group = (worn, shown.pass_index)
-            wearers = geometry.wearers.get(group)
-            if wearers is None:
-                wearers = geometry.wearers[group] = _Wearers(*group, materials.read_object(worn))
-            wearers.append(instance)
+                if address not in geometries:
+                    geometries[address] = _Geometry(shown.data)
+                    _warn_of_hair(shown, warn)
+                worn = materials.worn_by(shown)
+                visibility = visibility_of(shown, placer, depsgraph.view_layer_eval)
+                look = _Look(worn, shown.pass_index, visibility)
+                group = groups[key] = geometries[address].groups.setdefault(
+                    look, _Group(materials.read_object(worn))
+                )
+                _warn_of_shadow_catcher(shown, warn)
+            group.append(instance)
         elif shown.type not in _SHOWN_AS_MESH | _NOT_GEOMETRY:
             kind = shown.bl_rna.properties["type"].enum_items[shown.type].name
             warn(f"{kind} '{shown.name}' is left out: this kind of object is not supported")
@@ -89,14 +98,14 @@ def export_instances(
         mesh_id = add_mesh(core_scene, geometry.mesh, geometry.material_ids())
         if mesh_id is None:
             continue
-        for wearers in geometry.wearers.values():
-            _add_wearers(core_scene, mesh_id, geometry.mesh.name, wearers, warn)
+        for look, group in geometry.groups.items():
+            _add_group(core_scene, mesh_id, geometry.mesh.name, look, group, warn)
 
 
-def _add_wearers(
-    core_scene, mesh_id: int, name: str, wearers: _Wearers, warn: Callable[[str], None]
+def _add_group(
+    core_scene, mesh_id: int, name: str, look: _Look, group: _Group, warn: Callable[[str], None]
 ) -> None:
-    world_from_object = _as_array(wearers.matrices)
+    world_from_object = _as_array(group.matrices)
     is_finite = np.isfinite(world_from_object).all(axis=(1, 2))
     if not is_finite.all():
         count = np.count_nonzero(~is_finite)
@@ -104,15 +113,20 @@ def _add_wearers(
             f"Mesh '{name}' is left out {count} times: "
             "the place or size of the object is not a finite number"
         )
-    looks = {}
-    if wearers.tells_apart:
-        looks = {
-            "colors": np.array(wearers.colors, np.float32)[is_finite],
-            "pass_index": wearers.pass_index,
-            "randoms": np.array(wearers.randoms, np.float32)[is_finite],
+    told = {}
+    if group.tells_apart:
+        told = {
+            "colors": np.array(group.colors, np.float32)[is_finite],
+            "pass_index": look.pass_index,
+            "randoms": np.array(group.randoms, np.float32)[is_finite],
         }
     core_scene.add_instances(
-        mesh_id, world_from_object[is_finite], materials=list(wearers.materials), **looks
+        mesh_id,
+        world_from_object[is_finite],
+        materials=list(look.materials),
+        hidden_from=look.visibility.hidden_from,
+        is_holdout=look.visibility.is_holdout,
+        **told,
     )
 
 
@@ -126,3 +140,8 @@ def _warn_of_hair(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
     for system in shown.particle_systems:
         if system.settings.type == "HAIR" and system.settings.render_type == "PATH":
             warn(f"Hair of '{shown.name}' is left out: hair strands are not supported")
+
+
+def _warn_of_shadow_catcher(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
+    if shown.is_shadow_catcher:
+        warn(f"'{shown.name}' is shown itself: catching shadows alone is not supported")

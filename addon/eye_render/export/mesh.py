@@ -63,9 +63,16 @@ def _uvs(
     return (active if active in uvs else ""), uvs
 
 
-def _texture_space(mesh: bpy.types.Mesh) -> tuple[tuple[float, ...], tuple[float, ...]]:
-    """Where the coordinates Generated are zero, and how far it is from there to one."""
+def _texture_space(
+    mesh: bpy.types.Mesh,
+) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
+    """Where the coordinates Generated are zero, and how far it is from there to one.
+
+    None for a broken mesh, whose vertices are anywhere.
+    """
     middle, half = np.array(mesh.texspace_location), np.array(mesh.texspace_size)
+    if not np.isfinite((middle, half)).all():
+        return None
     half = np.where(half == 0.0, 1.0, half)
     return tuple(middle - half), tuple(2.0 * half)
 

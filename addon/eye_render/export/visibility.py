@@ -1,0 +1,33 @@
+"""Which rays see an object, and whether it is cut out of the picture."""
+
+from typing import NamedTuple
+
+import bpy
+
+_PROPERTIES = {
+    "CAMERA": "visible_camera",
+    "DIFFUSE": "visible_diffuse",
+    "GLOSSY": "visible_glossy",
+    "TRANSMISSION": "visible_transmission",
+    "SHADOW": "visible_shadow",
+}
+
+
+class Visibility(NamedTuple):
+    hidden_from: tuple[str, ...] = ()
+    is_holdout: bool = False
+
+
+def visibility_of(
+    shown: bpy.types.Object, placer: bpy.types.Object, view_layer: bpy.types.ViewLayer
+) -> Visibility:
+    """What the object says, and the one that instances it (else itself) with its collections."""
+    hidden = {
+        ray
+        for ray, name in _PROPERTIES.items()
+        if not (getattr(shown, name) and getattr(placer, name))
+    }
+    is_holdout = shown.is_holdout or placer.holdout_get(view_layer=view_layer)
+    if not is_holdout and placer.indirect_only_get(view_layer=view_layer):
+        hidden.add("CAMERA")
+    return Visibility(tuple(sorted(hidden)), is_holdout)
