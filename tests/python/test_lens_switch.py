@@ -3,6 +3,7 @@
 import eyecore
 import numpy as np
 import pytest
+from materials import add_light
 
 PIXEL = 1e-3  # of slope
 PUPIL_MM = 4.0
@@ -12,7 +13,7 @@ SWITCH_PX = 0.125
 def edge_columns(blur_px: float, seed: int) -> tuple[str, np.ndarray]:
     """The plan, and the columns' means of a far white half-plane, its edge between two pixels."""
     scene = eyecore.Scene()
-    white = scene.add_material("white", "EMISSION", emission_color=1.0, emission_strength=1.0)
+    white = add_light(scene, "white", 1.0)
     far_m = 1e5
     corners = np.array([[0, -1, -1], [1, -1, -1], [1, 1, -1], [0, 1, -1]], np.float32) * far_m
     mesh = scene.add_mesh("half", corners, np.array([[0, 1, 2], [0, 2, 3]], np.uint32))
