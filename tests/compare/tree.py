@@ -5,6 +5,10 @@ import bpy
 # What a node was called before; the first that Blender knows is taken.
 FORMER_NODES = {"BsdfSheen": "BsdfVelvet"}
 
+# What Blender 4 starts nodes with, and a Blender before otherwise.
+STARTING_INPUTS = {"BsdfAnisotropic": {"Anisotropy": 0.0}}
+STARTING_PROPERTIES = {"BsdfPrincipled": {"distribution": "MULTI_GGX"}}
+
 # What a socket was called before Blender 4.0 (by identifier).
 FORMER_SOCKETS = {
     "Subsurface Weight": "Subsurface",
@@ -38,9 +42,9 @@ class Tree:
             node = self.nodes.new(f"ShaderNode{kind}")
         except RuntimeError:
             node = self.nodes.new(f"ShaderNode{FORMER_NODES[kind]}")
-        for name, value in properties.items():
+        for name, value in (STARTING_PROPERTIES.get(kind, {}) | properties).items():
             _set_property(node, name, value)
-        for identifier, value in (inputs or {}).items():
+        for identifier, value in (STARTING_INPUTS.get(kind, {}) | (inputs or {})).items():
             self.set(node, identifier, value)
         return node
 

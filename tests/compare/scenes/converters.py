@@ -41,7 +41,9 @@ def math():
             a = tree.math("MULTIPLY_ADD", u, 3.0, -1.0)
             b = tree.math("MULTIPLY_ADD", v, 1.5, 0.1)
             result = tree.math(operation, a, b, 0.4)
-            return tree.math("MULTIPLY_ADD", result, 0.25, 0.4)
+            inputs = {"Value": result, "Value_001": 0.25, "Value_002": 0.4}
+            shown = tree.node("Math", inputs, operation="MULTIPLY_ADD", use_clamp=True)
+            return out(shown, "Value")
 
         return operate
 
