@@ -1,5 +1,7 @@
 #include "api/scene_builder.h"
 
+#include "../shading/options_of.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -71,8 +73,8 @@ TEST(SceneBuilder, layers_that_a_material_reads_have_one_number_each)
     scene.textures().add_pixels("p", PixelsF32{.width = 1, .height = 1, .rgba = pixel}, {});
     const auto textured = [&scene](const std::string& layer) {
         NodeGraph graph;
-        const std::size_t map = graph.add("UVMAP", NodeOptions({{"uv_map", layer}}));
-        const std::size_t image = graph.add("TEX_IMAGE", NodeOptions({{"texture", 0.0}}));
+        const std::size_t map = graph.add("UVMAP", test::options_of({{"uv_map", layer}}));
+        const std::size_t image = graph.add("TEX_IMAGE", test::options_of({{"texture", 0.0}}));
         const std::size_t emission = graph.add("EMISSION");
         graph.link(image, "Vector", graph.output(map, "UV"));
         graph.link(emission, "Color", graph.output(image, "Color"));
@@ -92,8 +94,9 @@ TEST(SceneBuilder, attributes_that_no_material_reads_have_no_number)
 {
     SceneBuilder scene;
     NodeGraph graph;
-    const std::size_t read = graph.add("ATTRIBUTE", NodeOptions({{"attribute_name", "wear"}}));
-    graph.add("ATTRIBUTE", NodeOptions({{"attribute_name", "unread"}}));
+    const std::size_t read =
+        graph.add("ATTRIBUTE", test::options_of({{"attribute_name", "wear"}}));
+    graph.add("ATTRIBUTE", test::options_of({{"attribute_name", "unread"}}));
     const std::size_t emission = graph.add("EMISSION");
     graph.link(emission, "Color", graph.output(read, "Color"));
     const std::size_t number =
@@ -107,7 +110,7 @@ TEST(SceneBuilder, refuses_a_texture_that_does_not_exist)
 {
     SceneBuilder scene;
     NodeGraph graph;
-    const std::size_t image = graph.add("TEX_IMAGE", NodeOptions({{"texture", 2.0}}));
+    const std::size_t image = graph.add("TEX_IMAGE", test::options_of({{"texture", 2.0}}));
     const std::optional<NodeOutput> surface = graph.output(image, "Color");
     EXPECT_EQ(refusal([&] { scene.add_material("m", graph, surface); }),
               "texture 2 does not exist; there are 0");

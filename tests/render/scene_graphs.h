@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "../shading/options_of.h"
 #include "scene/scene_data.h"
 
 #include <algorithm>
@@ -57,8 +58,8 @@ inline int add_grey_picture(SceneData& data)
 [[nodiscard]] inline Material pictured(SceneData& data, const std::string& uv_layer)
 {
     NodeGraph graph;
-    const std::size_t map = graph.add("UVMAP", NodeOptions({{"uv_map", uv_layer}}));
-    const std::size_t image = graph.add("TEX_IMAGE", NodeOptions({{"texture", 0.0}}));
+    const std::size_t map = graph.add("UVMAP", test::options_of({{"uv_map", uv_layer}}));
+    const std::size_t image = graph.add("TEX_IMAGE", test::options_of({{"texture", 0.0}}));
     const std::size_t diffuse = graph.add("BSDF_DIFFUSE");
     graph.link(image, "Vector", graph.output(map, "UV"));
     graph.link(diffuse, "Color", graph.output(image, "Color"));
@@ -69,7 +70,7 @@ inline int add_grey_picture(SceneData& data)
 [[nodiscard]] inline Material pictured_world(SceneData& data)
 {
     NodeGraph graph;
-    const std::size_t picture = graph.add("TEX_ENVIRONMENT", NodeOptions({{"texture", 0.0}}));
+    const std::size_t picture = graph.add("TEX_ENVIRONMENT", test::options_of({{"texture", 0.0}}));
     const std::size_t background = graph.add("BACKGROUND");
     graph.link(background, "Color", graph.output(picture, "Color"));
     return made(data, graph, graph.output(background, "Background"));

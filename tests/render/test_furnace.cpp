@@ -1,6 +1,7 @@
 // The path tracer where light comes from all around: white things must vanish, and a closed box
 // sums a geometric series.
 
+#include "../shading/options_of.h"
 #include "estimate.h"
 #include "scenes.h"
 #include "shading/energy_tables.h"
@@ -19,7 +20,7 @@ constexpr double table_error = 3e-3;
 Material metal(float roughness, const char* distribution)
 {
     return plain_material("BSDF_GLOSSY", {{"Color", V3f(1.0f)}, {"Roughness", V3f(roughness)}},
-                          NodeOptions({{"distribution", distribution}}));
+                          test::options_of({{"distribution", distribution}}));
 }
 
 Material glass(float roughness)

@@ -96,7 +96,7 @@ TEST(PlanOfScenes, attribute_is_read_by_its_name)
 {
     const SceneData data = square_of([](NodeGraph& graph) {
         const std::size_t layer =
-            graph.add("ATTRIBUTE", NodeOptions({{"attribute_name", "wear"}}));
+            graph.add("ATTRIBUTE", test::options_of({{"attribute_name", "wear"}}));
         const std::size_t diffuse = graph.add("BSDF_DIFFUSE");
         graph.link(diffuse, "Color", graph.output(layer, "Color"));
         return graph.output(diffuse, "BSDF");

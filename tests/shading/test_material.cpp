@@ -3,6 +3,7 @@
 #include "shading/material.h"
 
 #include "made_up_hit.h"
+#include "options_of.h"
 #include "scattering.h"
 
 #include <gtest/gtest.h>
@@ -70,7 +71,7 @@ TEST(Material, multiple_scattering_is_a_choice)
     const auto returned = [](const char* distribution) {
         const Material m =
             plain_material("BSDF_GLOSSY", {{"Color", V3f(1.0f)}, {"Roughness", V3f(1.0f)}},
-                           NodeOptions({{"distribution", distribution}}));
+                           test::options_of({{"distribution", distribution}}));
         return test::integrate(shaded(m, {.wo = up, .ng = up, .ns = up}).bsdf).value.x;
     };
     EXPECT_NEAR(returned("MULTI_GGX"), 1.0, 0.01);
