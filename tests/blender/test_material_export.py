@@ -80,15 +80,15 @@ def test_an_output_without_surface_is_black(export):
     assert (exported.surface, exported.warnings) == (None, [])
 
 
-def test_without_nodes_the_plain_settings_count(export):
+def test_without_nodes_the_plain_colour_counts(export):
     material = bpy.data.materials.new("Plain")
     material.use_nodes = False
     if material.use_nodes:
         pytest.skip("this Blender's materials always use nodes")
     material.diffuse_color = (0.25, 0.5, 1.0, 1.0)
     shader = export(material).surface.node
-    assert shader.kind == "BSDF_PRINCIPLED"
-    assert shader.inputs["Base Color"] == (0.25, 0.5, 1.0)
+    assert shader.kind == "BSDF_DIFFUSE"
+    assert shader.inputs["Color"] == (0.25, 0.5, 1.0)
 
 
 def test_displacement_goes_with_the_surface(export):
@@ -132,17 +132,17 @@ def test_a_volume_is_named_and_what_holds_it_is_seen_through(export):
 
 def test_what_the_core_refuses_is_named_and_grey(table, export, monkeypatch):
     material = node_material("Odd")
-    surface(material, "ShaderNodeBsdfDiffuse")
+    surface(material, "ShaderNodeBsdfGlass")
     add_material = table[1].add_material
 
-    def refuse_diffuse(name, surface=None, displacement=None, pass_index=0):
-        if surface.node.kind == "BSDF_DIFFUSE":
+    def refuse_glass(name, surface=None, displacement=None, pass_index=0):
+        if surface.node.kind == "BSDF_GLASS":
             raise ValueError("the graph runs in a circle")
         return add_material(name, surface, displacement, pass_index)
 
-    monkeypatch.setattr(table[1], "add_material", refuse_diffuse)
+    monkeypatch.setattr(table[1], "add_material", refuse_glass)
     exported = export(material)
-    assert exported.surface.node.kind == "BSDF_PRINCIPLED"
+    assert exported.surface.node.kind == "BSDF_DIFFUSE"
     (warning,) = exported.warnings
     assert "Odd" in warning
     assert "runs in a circle" in warning

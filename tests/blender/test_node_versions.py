@@ -220,6 +220,7 @@ def test_musgrave_is_a_noise_that_counts_octaves_and_weights_otherwise(kind):
     assert noise.options["noise_type"] == kind
     assert noise.options["noise_dimensions"] == "2D"
     assert noise.options["normalize"] is False
+    assert "musgrave_type" not in noise.options
     assert noise.inputs["Detail"] == 1.0
     assert noise.inputs["Roughness"] == approx(0.19245)
     assert noise.inputs["Lacunarity"] == 3.0

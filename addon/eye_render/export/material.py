@@ -64,8 +64,9 @@ class MaterialTable:
             )
         except ValueError as error:  # what the core sees only when all nodes are together
             left_out = [*left_out, str(error)]
-            plain = _plain(material).surface
-            number = self._core_scene.add_material(name, plain, pass_index=index)
+            number = self._core_scene.add_material(
+                name, _plain(material).surface, pass_index=index
+            )
         if left_out:
             self._warn(f"Material '{material.name}': not supported: {', '.join(left_out)}")
         if not look.kinds.isdisjoint(_OBJECT_READERS):
@@ -100,18 +101,7 @@ def _read(material: bpy.types.Material, images: ImageTable) -> _Surface:
 
 
 def _plain(material: bpy.types.Material) -> _Surface:
-    """Of the settings that a material has without nodes."""
-    principled = (
-        core.require()
-        .NodeGraph()
-        .add(
-            "BSDF_PRINCIPLED",
-            {
-                "Base Color": tuple(material.diffuse_color)[:3],
-                "Metallic": material.metallic,
-                "Specular IOR Level": material.specular_intensity,
-                "Roughness": material.roughness,
-            },
-        )
-    )
-    return _Surface(principled["BSDF"], None, frozenset(), [])
+    """What Cycles makes of a material without nodes."""
+    color = tuple(material.diffuse_color)[:3]
+    diffuse = core.require().NodeGraph().add("BSDF_DIFFUSE", {"Color": color})
+    return _Surface(diffuse["BSDF"], None, frozenset(), [])

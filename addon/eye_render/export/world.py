@@ -9,6 +9,14 @@ from .image import ImageTable
 from .nodes import BACKGROUND, export_sockets, linked_label
 
 _BLACK = (0.0, 0.0, 0.0)
+# The outputs of Light Path that are all one for a ray of the kind. A ray through glass is glossy,
+# too.
+_RAYS = {
+    "camera": ["Is Camera Ray"],
+    "diffuse": ["Is Diffuse Ray"],
+    "glossy": ["Is Glossy Ray", "Is Reflection Ray"],
+    "transmission": ["Is Transmission Ray"],
+}
 
 
 def export_world(
@@ -36,9 +44,28 @@ def export_world(
         left_out.append(f"{volume} (Volume)")
     (surface,) = tree.sockets
     try:
-        core_scene.set_world(_BLACK if surface is None else surface)
+        if surface is None:
+            core_scene.set_world(_BLACK)
+        else:
+            core_scene.set_world(_seen_by_some(tree.graph, surface, world))
     except ValueError as error:  # what the core sees only when all nodes are together
         left_out.append(str(error))
         core_scene.set_world(tuple(world.color))
     if left_out:
         warn(f"World '{world.name}': not supported: {', '.join(left_out)}")
+
+
+def _seen_by_some(graph, surface: object, world: bpy.types.World) -> object:
+    """The surface for the rays that the world's ray visibility lets see it; black for others."""
+    for kind, outputs in _RAYS.items():
+        if getattr(world.cycles_visibility, kind):
+            continue
+        path = graph.add("LIGHT_PATH")
+        hidden = path[outputs[0]]
+        for output in outputs[1:]:
+            product = graph.add(
+                "MATH", {"Value": hidden, "Value_001": path[output]}, operation="MULTIPLY"
+            )
+            hidden = product["Value"]
+        surface = graph.add("MIX_SHADER", {"Fac": hidden, "Shader": surface})["Shader"]
+    return surface

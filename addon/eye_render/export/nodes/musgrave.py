@@ -14,7 +14,7 @@ def musgrave_to_noise(node: Node) -> None:
     """Noise counts the octaves after the first, and wants how much weaker each is than the one
     before; Musgrave counts the first, too, and wants a fractal dimension."""
     detail, dimension = node.inputs["Detail"], node.inputs.pop("Dimension")
-    kind = node.options["musgrave_type"]
+    kind = node.options.pop("musgrave_type")
     lacunarity = math_result(math_node("MAXIMUM", node.inputs["Lacunarity"], _LEAST))
     exponent = math_node("MULTIPLY", math_result(math_node("MAXIMUM", dimension, _LEAST)), -1.0)
     first: Input | float = 1.0
@@ -28,7 +28,7 @@ def musgrave_to_noise(node: Node) -> None:
         "Lacunarity": lacunarity,
     }
     node.options |= {
-        "noise_dimensions": node.options["musgrave_dimensions"],
+        "noise_dimensions": node.options.pop("musgrave_dimensions"),
         "noise_type": kind,
         "normalize": False,
     }

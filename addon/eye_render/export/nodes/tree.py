@@ -12,7 +12,8 @@ from .versions import modernize
 
 
 class ExportedTree(NamedTuple):
-    sockets: list[object | None]  # of the core, what feeds each socket asked for
+    graph: object  # of the core
+    sockets: list[object | None]  # of the graph, what feeds each socket asked for
     kinds: frozenset[str]  # of the nodes that the core was given
     left_out: list[str]  # what could not be shown, for a warning
 
@@ -28,7 +29,7 @@ def export_sockets(
     builder = GraphBuilder(images, plain_shader)
     built = [builder.add(source) if source else None for source in sources]
     left_out = list(dict.fromkeys(builder.left_out))
-    return ExportedTree(built, frozenset(builder.kinds), left_out)
+    return ExportedTree(builder.graph, built, frozenset(builder.kinds), left_out)
 
 
 def linked_label(socket: bpy.types.NodeSocket) -> str | None:

@@ -101,6 +101,13 @@ ROWS = (
     Row("BSDF_PRINCIPLED", with_input="Clearcoat", convert=weaken_coat),
     Row("BSDF_PRINCIPLED", with_input="Specular", convert=color_specular_tint),
     Row("BSDF_PRINCIPLED", with_input="Specular", inputs=RENAMED_INPUTS),
+    # What the core has something close to
+    Row(
+        "TEX_SKY",
+        with_option=("sky_type", "HOSEK_WILKIE"),
+        set_options={"sky_type": "PREETHAM"},
+        note="what Hosek and Wilkie added to Preetham's sky in",
+    ),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
     _walk("SUBSURFACE_SCATTERING", "falloff", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
