@@ -111,9 +111,12 @@ void bind_nodes(py::module_& m)
             },
             "input"_a, "value"_a,
             "Feeds an input, by its identifier in Blender: a number, a colour, or an output.")
-        .def("__getitem__", [](const PyNode& node, const std::string& output) {
-            return NodeSocket{node.graph, node.graph->output(node.number, output)};
-        });
+        .def(
+            "__getitem__",
+            [](const PyNode& node, const std::string& output) {
+                return NodeSocket{node.graph, node.graph->output(node.number, output)};
+            },
+            "output"_a);
     py::class_<NodeGraph, std::shared_ptr<NodeGraph>>(
         m, "NodeGraph", "Shader nodes of a material, the world or a lamp, as Blender has them.")
         .def(py::init<>())

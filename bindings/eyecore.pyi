@@ -21,6 +21,8 @@ REFRACTION_ZEROS: list[str]
 AMPLITUDE_FORMULAS: list[str]
 PUPIL_FORMULAS: list[str]
 PUPIL_PATTERNS: list[str]
+# Sockets and options of each kind of shader node: "inputs", "outputs", "options".
+NODE_TYPES: dict[str, dict[str, list[str]]]
 STILES_CRAWFORD_MODES: list[str]
 
 class Prescription:
