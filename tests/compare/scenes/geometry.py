@@ -129,6 +129,21 @@ def nurbs_surface():
     dressed(shown.data, diffuse(PAINT))
 
 
+def geometry_nodes(shown: bpy.types.Object, build) -> None:
+    """A modifier whose tree `build(tree, geometry socket)` gives the geometry's output."""
+    tree = bpy.data.node_groups.new("Geometry", "GeometryNodeTree")
+    if hasattr(tree, "interface"):
+        for direction in ("INPUT", "OUTPUT"):
+            tree.interface.new_socket("Geometry", in_out=direction,
+                                      socket_type="NodeSocketGeometry")  # fmt: skip
+    else:
+        tree.inputs.new("NodeSocketGeometry", "Geometry")
+        tree.outputs.new("NodeSocketGeometry", "Geometry")
+    enter, leave = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+    tree.links.new(build(tree, enter.outputs[0]), leave.inputs[0])
+    shown.modifiers.new("Nodes", "NODES").node_group = tree
+
+
 def strands(shape: str, **settings) -> None:
     """A ball with hair of particles."""
     shown = ball(diffuse((0.3, 0.15, 0.1)))
@@ -158,21 +173,6 @@ def hair_ribbons():
 def hair_children():
     """Hair with children between the strands"""
     strands("THICK", child_type="INTERPOLATED", rendered_child_count=4, radius_scale=0.03)
-
-
-def geometry_nodes(shown: bpy.types.Object, build) -> None:
-    """A modifier whose tree `build(tree, geometry socket)` gives the geometry's output."""
-    tree = bpy.data.node_groups.new("Geometry", "GeometryNodeTree")
-    if hasattr(tree, "interface"):
-        for direction in ("INPUT", "OUTPUT"):
-            tree.interface.new_socket("Geometry", in_out=direction,
-                                      socket_type="NodeSocketGeometry")  # fmt: skip
-    else:
-        tree.inputs.new("NodeSocketGeometry", "Geometry")
-        tree.outputs.new("NodeSocketGeometry", "Geometry")
-    enter, leave = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
-    tree.links.new(build(tree, enter.outputs[0]), leave.inputs[0])
-    shown.modifiers.new("Nodes", "NODES").node_group = tree
 
 
 def set_material(tree, geometry, material):
@@ -217,64 +217,6 @@ def point_cloud():
         return set_material(tree, points.outputs[0], material)
 
     geometry_nodes(shown, build)
-
-
-@feature()
-def geometry_nodes_instances():
-    """Instances of a cube on the points of a ball, by geometry nodes"""
-    outdoors()
-    cube = add(dressed(cube_mesh(0.16), diffuse(PAINT)), (0, 0, -5))
-    shown = add(ball_mesh(0.7, 12, 8), (0, 0, 0.8))
-
-    def build(tree, geometry):
-        source = tree.nodes.new("GeometryNodeObjectInfo")
-        source.inputs["Object"].default_value = cube
-        scatter = tree.nodes.new("GeometryNodeInstanceOnPoints")
-        tree.links.new(geometry, scatter.inputs["Points"])
-        tree.links.new(source.outputs["Geometry"], scatter.inputs["Instance"])
-        return scatter.outputs[0]
-
-    geometry_nodes(shown, build)
-
-
-@feature()
-def particle_instances():
-    """Cubes where particles are born"""
-    outdoors()
-    cube = add(dressed(cube_mesh(1.0), diffuse(PAINT)), (0, 0, -5))
-    shown = add(dressed(ball_mesh(), diffuse((0.2, 0.3, 0.5))), BALL_CENTRE)
-    shown.modifiers.new("Particles", "PARTICLE_SYSTEM")
-    settings = shown.particle_systems[0].settings
-    settings.type, settings.count, settings.hair_length = "HAIR", 40, 1.0
-    settings.render_type, settings.instance_object = "OBJECT", cube
-    settings.particle_size = 0.15
-
-
-@feature()
-def collection_instances():
-    """A collection of two objects, instanced thrice"""
-    outdoors()
-    pair = bpy.data.collections.new("Pair")
-    for data, place in ((cube_mesh(0.4), (0, 0, 0.2)), (ball_mesh(0.2), (0, 0, 0.6))):
-        shown = bpy.data.objects.new("Part", dressed(data, diffuse(PAINT)))
-        shown.location = place
-        pair.objects.link(shown)
-    for x in (-0.8, 0.0, 0.8):
-        holder = add(None, (x, 0, 0))
-        holder.instance_type, holder.instance_collection = "COLLECTION", pair
-        holder.rotation_euler, holder.scale = (0, 0, x), (1, 1, 1.0 + 0.5 * x)
-
-
-@feature()
-def vertex_instances():
-    """An object on each vertex of its parent"""
-    outdoors()
-    places = bpy.data.meshes.new("Places")
-    places.from_pydata([(x, y, 0.3) for x in (-0.7, 0, 0.7) for y in (-0.7, 0, 0.7)], [], [])
-    parent = add(places)
-    parent.instance_type = "VERTS"
-    child = add(dressed(ball_mesh(0.25, 24, 12), diffuse(PAINT)))
-    child.parent = parent
 
 
 @feature()
@@ -359,56 +301,6 @@ def hidden_from_glossy():
     add(dressed(ball_mesh(0.35), diffuse((0.1, 0.2, 0.8))), (0.5, 0, 0.35)).visible_diffuse = False
 
 
-def moved(owner: bpy.types.bpy_struct, path: str, before, after) -> None:
-    """Linear between frames 0 and 2, with the picture at frame 1 blurred over one frame."""
-    for frame, value in ((0, before), (2, after)):
-        setattr(owner, path, value)
-        owner.keyframe_insert(path, frame=frame)
-    for curve in curves_of(owner.id_data.animation_data.action):
-        for key in curve.keyframe_points:
-            key.interpolation = "LINEAR"
-    scene = bpy.context.scene
-    scene.frame_set(1)
-    scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1.0
-
-
-def curves_of(action: bpy.types.Action):
-    if hasattr(action, "fcurves"):
-        return action.fcurves
-    return action.layers[0].strips[0].channelbags[0].fcurves  # from Blender 5.0
-
-
-@feature(samples=512)
-def motion_blur_object():
-    """A ball that moves"""
-    moved(ball(diffuse(PAINT)), "location", (-0.9, 0, 0.9), (0.9, 0, 0.9))
-
-
-@feature(samples=512)
-def motion_blur_turning():
-    """A cube that turns by ninety degrees in two frames"""
-    shown = stand(cube_mesh(1.2))
-    moved(shown, "rotation_euler", (0, 0, 0), (0, 0, math.radians(90)))
-
-
-@feature(samples=512)
-def motion_blur_camera():
-    """A camera that moves"""
-    ball(diffuse(PAINT))
-    moved(bpy.context.scene.camera, "location", (-0.5, -5, 2.0), (0.5, -5, 2.0))
-
-
-@feature(samples=512)
-def motion_blur_deformation():
-    """A mesh that a shape key deforms"""
-    shown = ball(diffuse(PAINT))
-    shown.shape_key_add(name="Basis")
-    wide = shown.shape_key_add(name="Wide")
-    for vertex, point in zip(shown.data.vertices, wide.data, strict=True):
-        point.co = (vertex.co.x * 1.8, vertex.co.y, vertex.co.z * 0.6)
-    moved(wide, "value", 0.0, 1.0)
-
-
 @feature(view="OVER_MAGENTA")
 def holdout_object():
     """An object that is a hole"""
@@ -421,19 +313,6 @@ def shadow_catcher():
     ball(diffuse(PAINT))
     bpy.context.scene.render.film_transparent = True
     bpy.data.objects["Floor"].is_shadow_catcher = True
-
-
-@feature()
-def many_instances():
-    """Ten thousand balls of one mesh"""
-    outdoors()
-    mesh = dressed(ball_mesh(0.03, 12, 6), diffuse(PAINT))
-    parent_mesh = bpy.data.meshes.new("Places")
-    places = np.random.default_rng(4).uniform((-2, -2, 0.03), (2, 2, 1.5), (10_000, 3))
-    parent_mesh.from_pydata(places.tolist(), [], [])
-    parent = add(parent_mesh)
-    parent.instance_type = "VERTS"
-    add(mesh).parent = parent
 
 
 @feature(bounces=4)
