@@ -18,6 +18,7 @@ from .principled import (
     weaken_sheen,
     widen_subsurface,
 )
+from .sky import hosek_as_preetham
 
 
 class Row(NamedTuple):
@@ -105,8 +106,8 @@ ROWS = (
     Row(
         "TEX_SKY",
         with_option=("sky_type", "HOSEK_WILKIE"),
-        set_options={"sky_type": "PREETHAM"},
-        note="what Hosek and Wilkie added to Preetham's sky in",
+        convert=hosek_as_preetham,
+        note="Hosek and Wilkie's model (Preetham's stands in) of",
     ),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
