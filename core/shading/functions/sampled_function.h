@@ -33,7 +33,7 @@ public:
     [[nodiscard]] float operator()(float x) const
     {
         const std::size_t last = samples_.size() - 1;
-        const float intervals = static_cast<float>(last);
+        const auto intervals = static_cast<float>(last);
         if (beyond_ == Beyond::Linear && x < 0.0f) {
             return samples_[0] + (samples_[0] - samples_[1]) * -x * intervals;
         }

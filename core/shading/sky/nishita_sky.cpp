@@ -18,6 +18,12 @@ constexpr int table_width = 512;
 constexpr int table_height = 128;
 constexpr int half_width = table_width / 2;
 
+[[nodiscard]] std::size_t place_in_table(int column, int row)
+{
+    return std::size_t{half_width} * static_cast<std::size_t>(row) +
+           static_cast<std::size_t>(column);
+}
+
 [[nodiscard]] Color3f rgb_unclamped(const V3d& xyz) { return rgb_from_xyz(V3f(xyz)); }
 
 [[nodiscard]] Air air_of(const NishitaSettings& settings)
@@ -106,8 +112,7 @@ NishitaSky::NishitaSky(const NishitaSettings& settings)
         for (int x = 0; x < half_width; ++x) {
             const V3d direction =
                 direction_at(highest_rad * row * row, 2.0 * pi * x / table_width - pi);
-            table_[static_cast<std::size_t>(y * half_width + x)] =
-                rgb_unclamped(air.scattered_xyz(direction, sun));
+            table_[place_in_table(x, y)] = rgb_unclamped(air.scattered_xyz(direction, sun));
         }
     }
 }
@@ -117,7 +122,7 @@ Color3f NishitaSky::interpolated(float x, float y) const
 {
     const auto texel = [&](int column, int row) {
         const int mirrored = column < half_width ? column : table_width - 1 - column;
-        return table_[static_cast<std::size_t>(row * half_width + mirrored)];
+        return table_[place_in_table(mirrored, row)];
     };
     constexpr auto last_column = static_cast<float>(table_width - 1);
     constexpr auto last_row = static_cast<float>(table_height - 1);
