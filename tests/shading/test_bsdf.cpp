@@ -2,6 +2,9 @@
 
 #include "../base/chi_squared.h"
 #include "scattering.h"
+#include "shading/diffuse_lobe.h"
+#include "shading/frame.h"
+#include "shading/glossy_lobe.h"
 #include "shading/microfacet.h"
 
 #include <gtest/gtest.h>
@@ -23,6 +26,49 @@ struct Case {
     std::vector<Lobe> lobes;
 };
 
+[[nodiscard]] Lobe brushed(Lobe lobe)
+{
+    lobe.alpha_x *= 0.6f;
+    lobe.alpha_y /= 0.6f;
+    lobe.tangent = Frame(lobe.normal).world_from_local(V3f(0.8f, 0.6f, 0.0f));
+    return lobe;
+}
+
+[[nodiscard]] Lobe beckmann(Lobe lobe)
+{
+    lobe.facets = FacetModel::Beckmann;
+    return lobe;
+}
+
+// A sheen's transform as the table has it at a roughness of one half, seen at 45 degrees.
+[[nodiscard]] Lobe sheen(const Color3f& weight, const V3f& normal)
+{
+    Lobe lobe = plain_lobe(LobeKind::Sheen, weight, normal);
+    lobe.smooth_normal = up;
+    lobe.a = 0.44f;
+    lobe.b = -0.06f;
+    return lobe;
+}
+
+// What depends on the viewer is made for one at 50 degrees, which any viewer may see.
+[[nodiscard]] std::vector<Case> wide_cases()
+{
+    const Color3f orange(0.9f, 0.5f, 0.2f);
+    const auto oren_nayar = [&](const V3f& normal) {
+        return oren_nayar_lobe(orange, orange, 0.7f, normal, up, direction_at(50.0)).lobe;
+    };
+    return {
+        {"Oren-Nayar", {oren_nayar(up)}},
+        {"Oren-Nayar, mapped normal", {oren_nayar(tilted)}},
+        {"translucent", {translucent_lobe(orange, up, up)}},
+        {"translucent, mapped normal", {translucent_lobe(orange, tilted, up)}},
+        {"sheen", {sheen(orange, up)}},
+        {"sheen, mapped normal", {sheen(orange, tilted)}},
+        {"diffuse toon", {toon_lobe(LobeKind::DiffuseToon, orange, 0.6f, 0.3f, up, up)}},
+        {"velvet", {velvet_lobe(orange, up, 0.7f)}},
+    };
+}
+
 // Rough enough for a grid of directions to resolve.
 std::vector<Case> lobe_cases()
 {
@@ -34,7 +80,30 @@ std::vector<Case> lobe_cases()
     const Lobe glass_in = glass_lobe(Color3f(1.0f), orange, up, 0.3f, 1.45f);
     const Lobe glass_out = glass_lobe(orange, orange, up, 0.3f, 1.0f / 1.45f);
     const Lobe straight = straight_lobe(Color3f(0.3f));
-    return {
+    Lobe tinted = glass_in;
+    tinted.kind = LobeKind::TintedGlass;
+    tinted.f0 = orange * 0.05f;
+    Lobe film = tinted;
+    film.film_thickness_nm = 400.0f;
+    film.film_ior = 1.3f;
+    Lobe conductor = plain_lobe(LobeKind::Conductor, Color3f(1.0f), up, 0.3f);
+    conductor.f0 = Color3f(0.2f, 0.9f, 1.4f);
+    conductor.edge = Color3f(3.9f, 2.4f, 2.0f);
+    const Lobe phong = plain_lobe(LobeKind::AshikhminShirley, orange, up, 0.4f);
+    std::vector<Case> cases = wide_cases();
+    const std::vector<Case> facets{
+        {"tinted glass", {tinted}},
+        {"glass under a film", {film}},
+        {"conductor", {conductor}},
+        {"brushed metal", {brushed(metal)}},
+        {"brushed metal, mapped normal", {brushed(metal_lobe(orange, tilted, 0.4f, orange))}},
+        {"Beckmann's facets", {beckmann(glossy)}},
+        {"Beckmann's facets, brushed", {beckmann(brushed(metal))}},
+        {"Beckmann's glass", {beckmann(glass_in)}},
+        {"refraction", {refraction_lobe(orange, up, 0.45f, 1.45f)}},
+        {"refraction from inside", {refraction_lobe(orange, up, 0.3f, 1.0f / 1.45f)}},
+        {"Ashikhmin & Shirley's", {phong}},
+        {"Ashikhmin & Shirley's, brushed", {brushed(phong)}},
         {"diffuse", {diffuse}},
         {"glossy", {glossy}},
         {"metal", {metal}},
@@ -44,15 +113,17 @@ std::vector<Case> lobe_cases()
         {"diffuse, mapped normal", {diffuse_lobe(orange, tilted, up)}},
         {"glossy, mapped normal", {glossy_lobe(orange, tilted, 0.3f)}},
         {"glass, mapped normal", {glass_lobe(orange, orange, tilted, 0.4f, 1.45f)}},
-        {"all", {straight, metal, glass_in, dielectric, diffuse}},
+        {"all", {straight, metal, glass_in, dielectric, diffuse, phong, brushed(glossy)}},
     };
+    cases.insert(cases.end(), facets.begin(), facets.end());
+    return cases;
 }
 
 Bsdf mixture(const Case& c, const V3f& wo)
 {
     Bsdf bsdf(wo, up);
     for (const Lobe& lobe : c.lobes) {
-        bsdf.add(lobe, lobe.weight);
+        bsdf.add(lobe, lobe.weight + lobe.second_weight);
     }
     return bsdf;
 }
@@ -81,6 +152,7 @@ TEST(Bsdf, samples_follow_the_density_of_evaluate)
     constexpr int azimuths = 20;
     constexpr int sub = 12;  // quadrature points a cell and axis
     constexpr int samples = 200000;
+    constexpr double edge_error = 4e-3;  // of the quadrature, where a density ends in a step
     const auto cell_of = [](const V3f& w) { return test::cell_of(w, heights, azimuths); };
     const double tests = double(lobe_cases().size() * std::size(view_angles_deg));
     const double significance = 1.0 - std::pow(1.0 - 0.01, 1.0 / tests);
@@ -98,7 +170,7 @@ TEST(Bsdf, samples_follow_the_density_of_evaluate)
                     expected[cell_of(wi)] += samples * share;
                     density += share;
                 });
-            EXPECT_LT(density, 1.0 + 1e-3) << c.name << ", " << angle_deg << " deg";
+            EXPECT_LT(density, 1.0 + edge_error) << c.name << ", " << angle_deg << " deg";
             expected[rest] = samples * std::max(0.0, 1.0 - density);
             Random random(7);
             for (int i = 0; i < samples; ++i) {
@@ -108,6 +180,50 @@ TEST(Bsdf, samples_follow_the_density_of_evaluate)
             const test::ChiSquared fit = test::chi_squared_test(observed, expected, significance);
             EXPECT_LT(fit.statistic, fit.critical) << c.name << ", " << angle_deg << " deg";
         }
+    }
+}
+
+TEST(Bsdf, a_glossy_toon_fills_its_cone_evenly)
+{
+    // Half angle 45 degrees, of which the outer 18 fade out; seen so that all of it is above the
+    // surface.
+    constexpr int bins = 20;
+    constexpr int samples = 200000;
+    const Lobe lobe = toon_lobe(LobeKind::GlossyToon, Color3f(1.0f), 0.3f, 0.2f, up, up);
+    Bsdf bsdf(direction_at(40.0), up);
+    bsdf.add(lobe, lobe.weight);
+    const Frame around(direction_at(40.0, 180.0));
+    const double rim = 1.0 - std::cos(pi / 4.0);
+    std::vector<double> observed(bins * bins);
+    Random random(5);
+    for (int i = 0; i < samples; ++i) {
+        const std::optional<BsdfSample> s = random.sample(bsdf);
+        ASSERT_TRUE(s);
+        ASSERT_NEAR(s->pdf * 2.0 * pi * rim, 1.0, 1e-5);
+        const V3f w = around.local_from_world(s->wi);
+        const double height = (1.0 - double(w.z)) / rim;
+        const double turn = 0.5 + std::atan2(double(w.y), double(w.x)) / (2.0 * pi);
+        ++observed[std::size_t(std::min(int(height * bins), bins - 1) * bins +
+                               std::min(int(turn * bins), bins - 1))];
+        const double angle = std::acos(double(w.z)) / pi * 180.0;
+        ASSERT_NEAR(s->weight.x, std::min(1.0, (45.0 - angle) / 18.0), 1e-3);
+    }
+    const std::vector<double> expected(bins * bins, double(samples) / (bins * bins));
+    const test::ChiSquared fit = test::chi_squared_test(observed, expected, 0.01);
+    EXPECT_LT(fit.statistic, fit.critical);
+}
+
+TEST(Bsdf, a_mixture_of_all_the_lobes_it_holds_loses_none)
+{
+    Bsdf bsdf(up, up);
+    const Color3f share(1.0f / float(Bsdf::capacity));
+    for (int i = 0; i < Bsdf::capacity; ++i) {
+        bsdf.add(diffuse_lobe(share, up, up), share);
+    }
+    const Bsdf copy = bsdf;
+    for (const Bsdf* one : {static_cast<const Bsdf*>(&bsdf), &copy}) {
+        EXPECT_NEAR(one->evaluate(up).value.x, 1.0 / pi, 1e-6);
+        EXPECT_NEAR(one->sample(0.999f, {0.2f, 0.3f})->weight.x, 1.0f, 1e-5f);
     }
 }
 
@@ -125,7 +241,7 @@ TEST(Bsdf, the_weight_of_a_sample_is_its_value_over_its_density)
                 const BsdfValue f = bsdf.evaluate(s->wi);
                 ASSERT_NEAR(s->pdf, f.pdf, 1e-5f * f.pdf) << c.name;
                 const Color3f error = s->weight - f.value / f.pdf;
-                ASSERT_LT(error.length(), 1e-5f * s->weight.length()) << c.name;
+                ASSERT_LE(error.length(), 1e-5f * s->weight.length()) << c.name;
             }
         }
     }
@@ -147,7 +263,8 @@ TEST(Bsdf, samples_average_to_the_integral_of_evaluate)
             squares += weight * weight;
         }
         const double mean = sum / samples;
-        const double deviation = std::sqrt((squares / samples - mean * mean) / samples);
+        const double deviation =
+            std::sqrt(std::max(0.0, squares / samples - mean * mean) / samples);
         // Four deviations, and what the grid of the integral misses.
         EXPECT_NEAR(mean, expected, 4.0 * deviation + 1e-3) << c.name;
     }
@@ -177,7 +294,12 @@ TEST(Bsdf, reflection_is_reciprocal)
     const V3f a = direction_at(20.0, 15.0);
     const V3f b = direction_at(70.0, 150.0);
     for (const Case& c : lobe_cases()) {
-        if (c.lobes[0].normal != up) {
+        // What was made for one viewer has no other, toon's cones are not of this world, and
+        // velvet is only as its authors wrote it down.
+        const LobeKind kind = c.lobes[0].kind;
+        if (c.lobes[0].normal != up || !c.lobes[0].reflects() || kind == LobeKind::Sheen ||
+            kind == LobeKind::OrenNayar || kind == LobeKind::DiffuseToon ||
+            kind == LobeKind::GlossyToon || kind == LobeKind::Velvet) {
             continue;
         }
         const Color3f ab = mixture(c, a).evaluate(b).value / b.z;
