@@ -125,6 +125,28 @@ def object_info(material, shown):
     link(material, combine.outputs[0], glow(material))
 
 
+def geometry_output(material, name):
+    return add_node(material, "ShaderNodeNewGeometry").outputs[name]
+
+
+def pointiness(material, shown):
+    bpy.ops.mesh.primitive_monkey_add()
+    shown.data = bpy.context.object.data
+    bpy.data.objects.remove(bpy.context.object)
+    shown.data.materials.append(material)
+    contrast = add_node(material, "ShaderNodeMath", operation="MULTIPLY_ADD")
+    contrast.inputs[1].default_value, contrast.inputs[2].default_value = 5.0, -2.0
+    link(material, geometry_output(material, "Pointiness"), contrast.inputs[0])
+    link(material, contrast.outputs[0], glow(material))
+
+
+def random_per_island(material, shown):
+    shown.location.z = -12.0
+    array = shown.modifiers.new("Array", "ARRAY")
+    array.count, array.relative_offset_displace = 3, (1.3, 0.0, 0.0)
+    link(material, geometry_output(material, "Random Per Island"), glow(material))
+
+
 def random_of_instances(material, shown):
     collection = bpy.data.collections.new("Inner")
     bpy.context.scene.collection.objects.unlink(shown)
@@ -218,6 +240,8 @@ TREES = [
     attribute_of_faces,
     attribute_of_points,
     object_info,
+    pointiness,
+    random_per_island,
     random_of_instances,
     group_in_a_group,
     curves,

@@ -4,6 +4,8 @@ import bpy
 import numpy as np
 
 from .. import compat
+from .derived_attributes import island_randoms, pointiness
+from .nodes import DERIVED_ATTRIBUTES
 
 # The member of an attribute's items that holds the numbers, how many there are, and their type.
 _MEMBERS = {
@@ -15,6 +17,11 @@ _MEMBERS = {
     "FLOAT_VECTOR": ("vector", 3, np.float32),
     "FLOAT_COLOR": ("color", 4, np.float32),
     "BYTE_COLOR": ("color", 4, np.float32),
+}
+
+_DERIVED = {
+    DERIVED_ATTRIBUTES["Pointiness"]: pointiness,
+    DERIVED_ATTRIBUTES["Random Per Island"]: island_randoms,
 }
 
 
@@ -32,6 +39,8 @@ def attributes_at_corners(
 def _attribute(
     mesh: bpy.types.Mesh, corners: np.ndarray, triangles: np.ndarray, name: str
 ) -> np.ndarray | None:
+    if name in _DERIVED:
+        return _rgba(_DERIVED[name](mesh)[:, None])[triangles.ravel()]
     if name in mesh.uv_layers:  # attributes only since Blender 3.5
         return _rgba(compat.corner_uvs(mesh.uv_layers[name]))[corners.ravel()]
     attribute = mesh.attributes.get(name) if name else _render_color(mesh)

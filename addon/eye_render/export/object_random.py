@@ -16,14 +16,14 @@ def _hash_name(name: str) -> int:
     number = 0
     for byte in name.encode():
         number = (number * 37 + byte) & _MASK
-    return _jenkins(number)
+    return hash_number(number, words=2)
 
 
-def _jenkins(key: int) -> int:
-    """The final mixing of Bob Jenkins' lookup3 (2006) for two words, of which one is zero."""
-    c = b = 0xDEADBEEF + (2 << 2) + 13
+def hash_number(key: int, words: int) -> int:
+    """The final mixing of Bob Jenkins' lookup3 (2006) for words that are zero but the first."""
+    c = b = 0xDEADBEEF + (words << 2) + 13
     a = b + key
-    words = [a, b, c]
+    state = [a, b, c]
     # Each step changes the first word by the second, which it also turns by some bits.
     for target, other, bits in (
         (2, 1, 14),
@@ -34,7 +34,7 @@ def _jenkins(key: int) -> int:
         (1, 0, 14),
         (2, 1, 24),
     ):
-        turned = words[other] & _MASK
+        turned = state[other] & _MASK
         turned = (turned << bits | turned >> (32 - bits)) & _MASK
-        words[target] = ((words[target] ^ words[other]) - turned) & _MASK
-    return words[2]
+        state[target] = ((state[target] ^ state[other]) - turned) & _MASK
+    return state[2]

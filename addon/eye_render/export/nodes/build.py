@@ -74,6 +74,8 @@ class GraphBuilder:
 
     def _find(self, source: Output) -> _Found:
         node = source.node
+        if source.identifier in node.redirected_outputs:
+            return self._find(node.redirected_outputs[source.identifier])
         if node not in self._placed:
             self._placed[node] = self._place(node, source)
         identifier = node.renamed_outputs.get(source.identifier, source.identifier)

@@ -40,6 +40,7 @@ class Node:
     inputs: dict[str, Input] = field(default_factory=dict)
     changed: set[str] = field(default_factory=set)  # options that differ from Blender's default
     renamed_outputs: dict[str, str] = field(default_factory=dict)
+    redirected_outputs: dict[str, Output] = field(default_factory=dict)  # other nodes have them
     constant_outputs: dict[str, Value] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)  # what of it cannot be shown
 

@@ -8,6 +8,7 @@ a function.
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+from .derived import read_derived_attributes
 from .flat import Input, Node
 from .musgrave import musgrave_to_noise
 from .normals import flip_green
@@ -102,7 +103,8 @@ ROWS = (
     Row("BSDF_PRINCIPLED", with_input="Clearcoat", convert=weaken_coat),
     Row("BSDF_PRINCIPLED", with_input="Specular", convert=color_specular_tint),
     Row("BSDF_PRINCIPLED", with_input="Specular", inputs=RENAMED_INPUTS),
-    # What the core has something close to
+    # What the core has in another form, or something close to
+    Row("NEW_GEOMETRY", convert=read_derived_attributes),
     Row(
         "TEX_SKY",
         with_option=("sky_type", "HOSEK_WILKIE"),
