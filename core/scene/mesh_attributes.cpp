@@ -14,7 +14,7 @@ V3f MeshAttributes::position_object() const
 
 V3f MeshAttributes::position_world() const
 {
-    return V3f(V3d(position_object() * placement_.world_from_object) + frame_.eye_position_world);
+    return {V3d(position_object() * placement_.world_from_object) + frame_.eye_position_world};
 }
 
 V3f MeshAttributes::generated() const

@@ -57,10 +57,10 @@ public:
                                         std::to_string(object_from_world.size()) +
                                         " numbers; expected 16");
         }
+        auto entry = object_from_world.begin();
         for (int row = 0; row < 4; ++row) {
             for (int column = 0; column < 4; ++column) {
-                object_from_world_[column][row] =
-                    object_from_world[static_cast<std::size_t>(4 * row + column)];
+                object_from_world_[column][row] = *entry++;
             }
         }
     }
