@@ -15,7 +15,8 @@ from pathlib import Path
 
 from blender_batch import BLENDER, render_features
 from compare_files import compare_files
-from report import FAILED, Row, line_of, summary, write_csv, write_page
+from not_yet import NOT_YET
+from report import FAILED, PASSED, Row, line_of, summary, write_csv, write_page
 from verdict import row_of
 
 OUT = Path(os.environ.get("EYE_OUT_DIR", Path(__file__).resolve().parents[2] / "out"))
@@ -56,6 +57,9 @@ def main() -> None:
         print(line_of(row))
     write_csv(OUT / "compare.csv", rows)
     write_page(OUT / "compare.html", "Eye Render beside Cycles", rows)
+    built = [row.name for row in rows if row.outcome == PASSED and row.name in NOT_YET]
+    if built:
+        print(f"Built, to be taken from not_yet.py: {' '.join(built)}")
     print(f"{summary(rows)}\n{OUT / 'compare.csv'}\n{OUT / 'compare.html'}")
     sys.exit(any(row.outcome == FAILED for row in rows))
 

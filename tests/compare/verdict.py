@@ -3,6 +3,7 @@
 import references
 from blender_batch import Rendered
 from measure import measure
+from not_yet import NOT_YET
 from picture import as_seen
 from report import EXPECTED, FAILED, PASSED, Cost, Row
 
@@ -41,6 +42,8 @@ def row_of(rendered: Rendered, version: tuple[int, ...]) -> Row:
 
 def allowed(facts: dict, version: tuple[int, ...]) -> tuple[float, str]:
     """How far the scene may be off in that Blender, and why so far."""
+    if facts["name"] in NOT_YET:
+        return NOT_YET[facts["name"]]
     if version < (4, 0) and facts["before_4"]:
         reason, threshold = facts["before_4"]
         return threshold, reason
