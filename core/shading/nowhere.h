@@ -17,7 +17,7 @@ public:
     [[nodiscard]] AttributeValue attribute(int /*attribute*/) const override { return {}; }
     [[nodiscard]] V2f parametric() const override { return V2f(0.0f); }
     [[nodiscard]] float edge_distance() const override { return 0.0f; }
-    [[nodiscard]] V3f smooth_normal() const override { return V3f(0.0f, 0.0f, 1.0f); }
+    [[nodiscard]] V3f smooth_normal() const override { return {0.0f, 0.0f, 1.0f}; }
     [[nodiscard]] const ObjectFacts& object() const override { return object_; }
     [[nodiscard]] const ViewFrame& view() const override { return view_; }
     [[nodiscard]] Color4f texture(int /*texture*/, const V2f& /*uv*/) const override

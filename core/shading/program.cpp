@@ -49,17 +49,16 @@ ProgramRun::ProgramRun(const std::vector<ProgramStep>& steps, int value_count, c
         values_ = more_values_.data();
     }
     if (steps.size() > usual_size) {
-        more_done_ = std::make_unique<bool[]>(steps.size());
-        is_done_ = more_done_.get();
-    } else {
-        std::fill_n(is_done_, steps.size(), false);
+        more_states_.resize(steps.size());
+        states_ = more_states_.data();
     }
+    std::fill_n(states_, steps.size(), StepState::Open);
 }
 
 NodeValue ProgramRun::read(const ProgramInput& input)
 {
     if (input.step != ProgramInput::none) {
-        if (!is_done_[input.step]) {
+        if (states_[input.step] != StepState::Done) {
             evaluate(input.step);
         }
         return converted(values_[input.value], input.conversion);
@@ -90,7 +89,7 @@ float ProgramRun::weight(const ProgramLeaf& leaf)
 void ProgramRun::evaluate(int number)
 {
     const ProgramStep& step = steps_[static_cast<std::size_t>(number)];
-    is_done_[number] = true;
+    states_[number] = StepState::Done;
     step.node->evaluate(NodeInputs(*this, step),
                         {values_ + step.first_value, static_cast<std::size_t>(step.value_count)});
 }

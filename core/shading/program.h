@@ -126,17 +126,19 @@ public:
 private:
     static constexpr std::size_t usual_size = 96;
 
-    void evaluate(int step);
+    enum class StepState : std::uint8_t { Open, Done };
+
+    void evaluate(int number);
 
     const std::vector<ProgramStep>& steps_;
     Hit hit_;
     int value_count_;
-    std::array<bool, usual_size> usual_done_;
+    std::array<StepState, usual_size> usual_states_;
     std::array<NodeValue, usual_size> usual_values_;  // not cleared: it would cost more
     std::vector<NodeValue> more_values_;
-    std::unique_ptr<bool[]> more_done_;
+    std::vector<StepState> more_states_;
     NodeValue* values_ = usual_values_.data();
-    bool* is_done_ = usual_done_.data();  // one a step
+    StepState* states_ = usual_states_.data();  // one a step
 };
 
 }  // namespace eye_render
