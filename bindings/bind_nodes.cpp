@@ -102,7 +102,7 @@ void bind_nodes(py::module_& m)
     using namespace py::literals;
 
     m.attr("NODE_TYPES") = types_as_dict();
-    py::class_<NodeSocket>(m, "NodeSocket", "An output of a node.");
+    const py::class_<NodeSocket> socket(m, "NodeSocket", "An output of a node.");
     py::class_<PyNode>(m, "Node", "A node of a graph; node['Color'] is its output of that name.")
         .def(
             "set",
@@ -124,7 +124,7 @@ void bind_nodes(py::module_& m)
             "add",
             [](const std::shared_ptr<NodeGraph>& graph, const std::string& kind,
                const py::dict& inputs, const py::kwargs& options) {
-                const PyNode node{graph, graph->add(kind, options_from(options))};
+                PyNode node{graph, graph->add(kind, options_from(options))};
                 for (const auto& [input, value] : inputs) {
                     set_input(node, input.cast<std::string>(), value);
                 }
