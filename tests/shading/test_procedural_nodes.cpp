@@ -9,6 +9,7 @@
 #include <limits>
 #include <random>
 #include <set>
+#include <sstream>
 
 namespace eye_render::test {
 namespace {
@@ -46,7 +47,8 @@ TEST(ProceduralNodes, answer_numbers_to_whatever_they_are_asked)
         for (const Options& options : options_of(type)) {
             NodeTrial trial(type, options);
             for (int i = 0; i < 25; ++i) {
-                std::string asked(type.name);
+                std::ostringstream asked;
+                asked << type.name;
                 for (const InputSocket& socket : type.inputs) {
                     // Half of the inputs stay ordinary. Colours are only passed on.
                     if (socket.type == SocketType::Color || random() % 2 == 0) {
@@ -54,15 +56,14 @@ TEST(ProceduralNodes, answer_numbers_to_whatever_they_are_asked)
                     }
                     const NodeValue value(extreme(), extreme(), extreme());
                     trial.set(socket.identifier, value);
-                    asked += " " + std::string(socket.identifier) + "=" + std::to_string(value.x) +
-                             "," + std::to_string(value.y) + "," + std::to_string(value.z);
+                    asked << " " << socket.identifier << "=" << value;
                 }
                 trial.set("Vector", {extreme(), extreme(), extreme()});
                 for (const OutputSocket& output : type.outputs) {
                     const NodeValue value = trial(output.identifier);
                     EXPECT_TRUE(std::isfinite(value.x) && std::isfinite(value.y) &&
                                 std::isfinite(value.z))
-                        << asked << " gives " << output.identifier << " " << value;
+                        << asked.str() << " gives " << output.identifier << " " << value;
                 }
             }
         }
@@ -88,6 +89,15 @@ TEST(ProceduralNodes, gradient_ends_where_blenders_does)
     EXPECT_EQ(gradient.set("Vector", {-2.0f, 0.0f, 0.0f})("Fac").x, 0.0f);
     EXPECT_EQ(gradient.set("Vector", {0.25f, 0.0f, 0.0f})("Fac").x, 0.25f);
     EXPECT_EQ(gradient.set("Vector", {7.0f, 0.0f, 0.0f})("Fac").x, 1.0f);
+}
+
+TEST(ProceduralNodes, rounding_at_zero_does_not_change_a_checkers_color)
+{
+    NodeTrial checker(texture_node("TEX_CHECKER"));
+    checker.set("Scale", 1.0f);
+    const NodeValue above = checker.set("Vector", {0.5f, 0.5f, 1e-7f})("Fac");
+    const NodeValue below = checker.set("Vector", {0.5f, 0.5f, -1e-7f})("Fac");
+    EXPECT_EQ(above, below);
 }
 
 TEST(ProceduralNodes, magic_repeats_every_turn_of_its_unscaled_coordinates)

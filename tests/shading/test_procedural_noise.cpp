@@ -150,6 +150,16 @@ TYPED_TEST(PerlinNoise, repeats_far_away)
     }
 }
 
+TYPED_TEST(PerlinNoise, is_zero_where_a_coordinate_is_not_finite)
+{
+    constexpr float infinity = std::numeric_limits<float>::infinity();
+    for (const float bad : {infinity, -infinity, std::nanf("")}) {
+        TypeParam p;
+        p.coordinates.fill(bad);
+        EXPECT_EQ(perlin_noise(p), 0.0f);
+    }
+}
+
 TEST(Fractal, without_detail_is_one_octave)
 {
     std::mt19937 random(5);

@@ -98,6 +98,15 @@ TEST(Voronoi, no_edge_is_nearer_than_half_of_what_the_two_nearest_points_differ_
     }
 }
 
+TEST(Voronoi, a_coordinate_that_is_not_finite_counts_as_0)
+{
+    const float distance = voronoi_texture(Point<3>{{0.0f, 1.3f, 2.6f}}, Voronoi{}).distance;
+    for (const float bad : {INFINITY, -INFINITY, NAN}) {
+        const Point<3> p{{bad, 1.3f, 2.6f}};
+        EXPECT_EQ(voronoi_texture(p, Voronoi{}).distance, distance);
+    }
+}
+
 template <int D>
 void expect_continuous(const Voronoi& voronoi, float most_per_cell)
 {
