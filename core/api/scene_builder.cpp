@@ -63,6 +63,20 @@ private:
     SceneData& data_;
 };
 
+// The sun of a sky that is laid out as the world is; one that is turned by other nodes is found by
+// sampling alone.
+std::optional<SunDisc> sun_above(const NodeGraph& graph)
+{
+    for (std::size_t i = 0; i < graph.size(); ++i) {
+        const NodeGraph::Node& node = graph.node(i);
+        if (node.type->name == "TEX_SKY" &&
+            std::holds_alternative<std::monostate>(node.inputs.front())) {
+            return sun_disc(node.options);
+        }
+    }
+    return std::nullopt;
+}
+
 std::vector<std::string> pick(const std::vector<std::string>& names,
                               const std::vector<int>& layers)
 {
@@ -147,6 +161,7 @@ void SceneBuilder::set_world(const NodeGraph& graph, const std::optional<NodeOut
     require_unleased();
     SceneResources resources(data_);
     data_.world = make_material("world", graph, surface, std::nullopt, resources);
+    data_.world_sun = sun_above(graph);
 }
 
 void SceneBuilder::set_camera(const CameraFrame& frame)

@@ -1,17 +1,17 @@
 // The world around the scene: a shader program of the direction.
 //
-// A world that is the same everywhere is sampled by the uniform sphere, another by a piecewise
-// constant table of luminance times solid angle over longitude and latitude (Pharr, Jakob and
-// Humphreys, Physically Based Rendering, 12.5). Directions are unit, world space, and point away
+// A world that is the same everywhere is sampled by the uniform sphere, another by a table of its
+// luminance, and the sun of a sky by its cone. Directions are unit, world space, and point away
 // from the scene. Probabilities are per unit solid angle.
 
 #pragma once
 
+#include "scene/direction_table.h"
 #include "scene/scene_frame.h"
 #include "shading/material.h"
+#include "shading/sky.h"
 
 #include <optional>
-#include <vector>
 
 namespace eye_render {
 
@@ -24,8 +24,10 @@ struct EnvironmentSample {
 class Environment {
 public:
     Environment() = default;  // black
-    // Refers to both, which must outlive it.
-    Environment(const Material& world, const SceneFrame& frame);
+    // Refers to world and frame, which must outlive it.
+    Environment(const Material& world,
+                const SceneFrame& frame,
+                const std::optional<SunDisc>& sun = std::nullopt);
 
     // As the path sees it: a world may look at the path.
     [[nodiscard]] Color3f radiance(const V3f& direction, const PathState& path) const;
@@ -36,23 +38,19 @@ public:
 
     // True if it gives no light at all, and need not be sampled.
     [[nodiscard]] bool is_black() const { return mean_luminance_ <= 0.0f; }
-    [[nodiscard]] bool has_table() const { return !row_cdf_.empty(); }
+    [[nodiscard]] bool has_table() const { return !table_.empty(); }
     // Luminance of radiance, averaged over the sphere.
     [[nodiscard]] float mean_luminance() const { return mean_luminance_; }
 
 private:
-    void build_table();
-    [[nodiscard]] float density(float cell_probability, float z_extent) const;
+    [[nodiscard]] float sun_pdf(const V3f& direction) const;
 
     const Material* world_ = nullptr;
     const SceneFrame* frame_ = nullptr;
     std::optional<Color3f> constant_ = Color3f(0.0f);  // where it is the same everywhere
+    std::optional<SunDisc> sun_;
     float mean_luminance_ = 0.0f;
-    int table_width_ = 0;
-    int table_height_ = 0;
-    // Cumulative probability: of each row; and within each row, of each cell. Both start at 0.
-    std::vector<float> row_cdf_;
-    std::vector<float> cell_cdf_;
+    DirectionTable table_;
 };
 
 }  // namespace eye_render

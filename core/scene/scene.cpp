@@ -65,7 +65,7 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFra
             visible_lamps_.push_back(static_cast<std::uint32_t>(lamps_.size() - 1));
         }
     }
-    environment_ = Environment(data.world, frame_);
+    environment_ = Environment(data.world, frame_, data.world_sun);
     std::vector<EmissiveTriangle> triangles;
     add_emitters(triangles);
     light_sampler_ = LightSampler(lamps_, triangles, environment_);

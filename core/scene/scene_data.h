@@ -8,6 +8,7 @@
 #include "scene/textures.h"
 #include "scene/visibility.h"
 #include "shading/material.h"
+#include "shading/sky.h"
 
 #include <string>
 #include <vector>
@@ -42,6 +43,7 @@ struct SceneData {
     std::vector<Material> materials;
     std::vector<LampData> lamps;
     Material world;
+    std::optional<SunDisc> world_sun;  // of the sky, to be aimed at
     TextureSet textures;
     // Names behind the layer numbers of materials. The empty name asks for a mesh's first layer.
     std::vector<std::string> uv_layer_names{""};

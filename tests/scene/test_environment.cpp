@@ -4,6 +4,7 @@
 
 #include "../base/chi_squared.h"
 #include "../shading/made_up_hit.h"
+#include "../shading/options_of.h"
 #include "base/units.h"
 #include "base/warp.h"
 #include "scene/textures.h"
@@ -27,12 +28,14 @@ public:
     World& operator=(const World&) = delete;
 
     // `surface` is a Background, or what shines in the place of one.
-    void build(const NodeGraph& graph, const NodeOutput& surface)
+    void build(const NodeGraph& graph,
+               const NodeOutput& surface,
+               const std::optional<SunDisc>& sun = std::nullopt)
     {
         test::AnyResources resources;
         material_ = make_material("world", graph, surface, std::nullopt, resources);
         frame_.textures = &textures;
-        environment = Environment(material_, frame_);
+        environment = Environment(material_, frame_, sun);
     }
     void build(const Material& material)
     {
@@ -44,7 +47,8 @@ public:
     void build_picture(float strength = 1.0f)
     {
         NodeGraph graph;
-        const std::size_t picture = graph.add("TEX_ENVIRONMENT", NodeOptions({{"texture", 0.0}}));
+        const std::size_t picture =
+            graph.add("TEX_ENVIRONMENT", test::options_of({{"texture", 0.0}}));
         const std::size_t background = graph.add("BACKGROUND");
         graph.link(background, "Color", graph.output(picture, "Color"));
         graph.set(background, "Strength", V3f(strength));
@@ -325,6 +329,50 @@ TEST(Environment, a_procedural_world_is_sampled_by_what_it_shows)
 }
 
 // A world that is bright for the eye alone lights nothing: the table follows what lights.
+struct Estimate {
+    double mean = 0.0;
+    double standard_error = 0.0;
+};
+
+// Of the irradiance of the ground.
+Estimate irradiance(const Environment& environment)
+{
+    std::mt19937 rng(8);
+    std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+    constexpr int count = 20000;
+    double sum = 0.0;
+    double sum_of_squares = 0.0;
+    for (int i = 0; i < count; ++i) {
+        const EnvironmentSample s = environment.sample({uniform(rng), uniform(rng)});
+        const double light = double(luminance(s.radiance) * std::max(s.wi.z, 0.0f) / s.pdf);
+        sum += light;
+        sum_of_squares += light * light;
+    }
+    const double mean = sum / count;
+    return {mean, std::sqrt((sum_of_squares / count - mean * mean) / count)};
+}
+
+TEST(Environment, the_sun_of_a_sky_is_aimed_at)
+{
+    // The table alone, whose cells are a third of a degree, finds the same light with more noise.
+    const NodeOptions options({{"sun_elevation", 0.6}, {"sun_rotation", 0.8}});
+    NodeGraph graph;
+    const std::size_t sky = graph.add("TEX_SKY", options);
+    const std::size_t background = graph.add("BACKGROUND");
+    graph.link(background, "Color", graph.output(sky, "Color"));
+    const NodeOutput surface = graph.output(background, "Background");
+    World aimed;
+    aimed.build(graph, surface, sun_disc(options));
+    World unaimed;
+    unaimed.build(graph, surface);
+    const Estimate with = irradiance(aimed.environment);
+    const Estimate without = irradiance(unaimed.environment);
+    EXPECT_NEAR(with.mean, without.mean, 4.0 * without.standard_error);
+    EXPECT_LT(with.standard_error, 0.7 * without.standard_error);
+    const V3f to_sun = sun_disc(options)->direction;
+    EXPECT_GT(aimed.environment.pdf(to_sun), 0.5f * unaimed.environment.pdf(to_sun));
+}
+
 TEST(Environment, a_world_may_look_at_the_path)
 {
     NodeGraph graph;
