@@ -35,6 +35,27 @@ def test_the_operator_reports_on_the_scenes_observer(observer, tmp_path):
     assert (tmp_path / "eye.png").read_bytes().startswith(b"\x89PNG")
 
 
+def test_a_report_says_of_which_eye_it_is_so_that_it_can_be_built_again(observer, tmp_path):
+    observer.model = "NAVARRO"
+    observer.refraction_zero = "MINIMUM_RMS_SPOT"
+    told = report_of(tmp_path / "eye.json")["observer"]
+    assert (told["refraction_zero"], told["exact_trace"]) == ("minimum_rms_spot", "no")
+    assert 0.0 < told["fit_residual_arcmin"] < 0.1  # of the map, in place of tracing
+    assert told["amplitude_formula"] == "HOFSTETTER_MEAN"
+    observer.model = "WAVEFRONT"
+    told = report_of(tmp_path / "eye.json")["observer"]
+    assert told["wavefront"] == "population mean"
+    assert "refraction_zero" not in told
+
+
+def test_the_slide_says_which_zero_a_schematic_eye_was_refracted_to():
+    from eye_render.report.figure import _model
+
+    told = {"model": "navarro", "refraction_zero": "minimum_rms_spot"}
+    assert _model(told) == "navarro model, 0 D: minimum rms spot"
+    assert _model({"model": "paraxial"}) == "paraxial model"
+
+
 def test_an_eye_that_focuses_is_reported_as_it_accommodates(scene, observer, tmp_path):
     observer.focus_mode = "DISTANCE"
     scene.camera.data.dof.focus_distance = 0.25
@@ -89,7 +110,10 @@ def test_an_automatic_pupil_is_found_as_a_render_finds_it(scene, observer, tmp_p
     scene.world = bpy.data.worlds.new("World")
     scene.world.use_nodes = True
     reported = report_of(tmp_path / "reported.json")
-    assert reported["observer"]["luminance_cd_m2"] > 1.0
+    told = reported["observer"]
+    assert told["luminance_cd_m2"] > 1.0
+    assert (told["cd_m2_per_unit"], told["luminance_sigma"], told["eyes"]) == (179.0, 0.5, "2")
+    assert told["field_area_deg2"] > 1.0
     rendered = as_rendered(tmp_path / "rendered.json")
     assert (
         reported["pupil_mm"]

@@ -79,8 +79,15 @@ def _subtitle(report: dict) -> str:
         f"dashed: Airy disk, radius {report['airy_radius_arcmin']:.2f}′",
     ]
     if "model" in report["observer"]:
-        parts.append(f"{report['observer']['model']} model")
+        parts.append(_model(report["observer"]))
     return "   ·   ".join(parts)
+
+
+def _model(observer: dict) -> str:
+    text = f"{observer['model']} model"
+    if "refraction_zero" in observer:
+        text += f", 0 D: {observer['refraction_zero'].replace('_', ' ')}"
+    return text
 
 
 def _object_distance(row: dict) -> float:

@@ -14,10 +14,13 @@ WAVELENGTH_NM = 555.0
 FREQUENCIES_CPD = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0)
 USUAL_DISTANCES_M = (0.4, 1.0, 6.0, math.inf)
 
-# What a session tells of the observer.
+# What a session tells of the observer: enough to build the same eye again.
 _DESCRIBING = (
     *("eye", "rx", "rx_plane", "vertex_mm", "correction", "worn", "worn_part", "model"),
-    *("age_years", "focus", "focus_m", "pupil_formula", "luminance_cd_m2", "pupil_found_in"),
+    *("wavefront", "refraction_zero", "exact_trace", "fit_residual_arcmin"),
+    *("age_years", "amplitude_formula", "focus", "focus_m"),
+    *("pupil_formula", "luminance_cd_m2", "cd_m2_per_unit", "luminance_sigma"),
+    *("field_area_deg2", "eyes", "pupil_clamps", "pupil_found_in"),
 )
 
 # Of the curve through focus: over all distances, and close to its sharpest point.
