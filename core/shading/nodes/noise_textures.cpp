@@ -4,6 +4,8 @@
 #include "shading/procedural/hash.h"
 #include "shading/procedural/noise.h"
 
+#include <array>
+
 namespace eye_render {
 
 namespace {
@@ -90,17 +92,20 @@ private:
 
 NodeType noise_texture_node()
 {
-    static constexpr InputSocket inputs[] = {texture_vector,
-                                             {"W"},
-                                             {"Scale", SocketType::Number, NodeValue(5.0f)},
-                                             {"Detail", SocketType::Number, NodeValue(2.0f)},
-                                             {"Roughness", SocketType::Number, NodeValue(0.5f)},
-                                             {"Lacunarity", SocketType::Number, NodeValue(2.0f)},
-                                             {"Offset"},
-                                             {"Gain", SocketType::Number, NodeValue(1.0f)},
-                                             {"Distortion"}};
-    static constexpr OutputSocket outputs[] = {{"Fac"}, {"Color", SocketType::Color}};
-    static constexpr std::string_view options[] = {"noise_dimensions", "noise_type", "normalize"};
+    static constexpr std::array inputs{
+        texture_vector,
+        InputSocket{"W"},
+        InputSocket{"Scale", SocketType::Number, NodeValue(5.0f)},
+        InputSocket{"Detail", SocketType::Number, NodeValue(2.0f)},
+        InputSocket{"Roughness", SocketType::Number, NodeValue(0.5f)},
+        InputSocket{"Lacunarity", SocketType::Number, NodeValue(2.0f)},
+        InputSocket{"Offset"},
+        InputSocket{"Gain", SocketType::Number, NodeValue(1.0f)},
+        InputSocket{"Distortion"}};
+    static constexpr std::array outputs{OutputSocket{"Fac"},
+                                        OutputSocket{"Color", SocketType::Color}};
+    static constexpr std::array<std::string_view, 3> options{"noise_dimensions", "noise_type",
+                                                             "normalize"};
     return {.name = "TEX_NOISE",
             .inputs = inputs,
             .outputs = outputs,
@@ -110,9 +115,10 @@ NodeType noise_texture_node()
 
 NodeType white_noise_node()
 {
-    static constexpr InputSocket inputs[] = {texture_vector, {"W"}};
-    static constexpr OutputSocket outputs[] = {{"Value"}, {"Color", SocketType::Color}};
-    static constexpr std::string_view options[] = {"noise_dimensions"};
+    static constexpr std::array inputs{texture_vector, InputSocket{"W"}};
+    static constexpr std::array outputs{OutputSocket{"Value"},
+                                        OutputSocket{"Color", SocketType::Color}};
+    static constexpr std::array<std::string_view, 1> options{"noise_dimensions"};
     return {.name = "TEX_WHITE_NOISE",
             .inputs = inputs,
             .outputs = outputs,

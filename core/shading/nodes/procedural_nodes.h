@@ -6,6 +6,7 @@
 #include "shading/node.h"
 #include "shading/procedural/point.h"
 
+#include <array>
 #include <memory>
 
 namespace eye_render {
@@ -16,7 +17,8 @@ inline constexpr InputSocket texture_vector{"Vector", SocketType::Vector, NodeVa
 
 inline constexpr InputSocket texture_scale{"Scale", SocketType::Number, NodeValue(5.0f)};
 
-inline constexpr OutputSocket color_and_fac[] = {{"Color", SocketType::Color}, {"Fac"}};
+inline constexpr std::array color_and_fac{OutputSocket{"Color", SocketType::Color},
+                                          OutputSocket{"Fac"}};
 
 // For NodeType::make_value: the node is made from its options.
 template <typename Node>

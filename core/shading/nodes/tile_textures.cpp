@@ -5,6 +5,8 @@
 #include "shading/procedural/checker.h"
 #include "shading/procedural/safe_float.h"
 
+#include <array>
+
 namespace eye_render {
 
 namespace {
@@ -78,19 +80,19 @@ public:
 
 NodeType brick_texture_node()
 {
-    static constexpr InputSocket inputs[] = {
+    static constexpr std::array inputs{
         texture_vector,
         color1,
         color2,
-        {"Mortar", SocketType::Color},
+        InputSocket{"Mortar", SocketType::Color},
         texture_scale,
-        {"Mortar Size", SocketType::Number, NodeValue(0.02f)},
-        {"Mortar Smooth", SocketType::Number, NodeValue(0.1f)},
-        {"Bias"},
-        {"Brick Width", SocketType::Number, NodeValue(0.5f)},
-        {"Row Height", SocketType::Number, NodeValue(0.25f)}};
-    static constexpr std::string_view options[] = {"offset", "offset_frequency", "squash",
-                                                   "squash_frequency"};
+        InputSocket{"Mortar Size", SocketType::Number, NodeValue(0.02f)},
+        InputSocket{"Mortar Smooth", SocketType::Number, NodeValue(0.1f)},
+        InputSocket{"Bias"},
+        InputSocket{"Brick Width", SocketType::Number, NodeValue(0.5f)},
+        InputSocket{"Row Height", SocketType::Number, NodeValue(0.25f)}};
+    static constexpr std::array<std::string_view, 4> options{"offset", "offset_frequency",
+                                                             "squash", "squash_frequency"};
     return {.name = "TEX_BRICK",
             .inputs = inputs,
             .outputs = color_and_fac,
@@ -100,7 +102,7 @@ NodeType brick_texture_node()
 
 NodeType checker_texture_node()
 {
-    static constexpr InputSocket inputs[] = {texture_vector, color1, color2, texture_scale};
+    static constexpr std::array inputs{texture_vector, color1, color2, texture_scale};
     return {.name = "TEX_CHECKER",
             .inputs = inputs,
             .outputs = color_and_fac,

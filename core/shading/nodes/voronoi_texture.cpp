@@ -3,6 +3,8 @@
 #include "shading/nodes/procedural_nodes.h"
 #include "shading/procedural/voronoi.h"
 
+#include <array>
+
 namespace eye_render {
 
 namespace {
@@ -73,22 +75,21 @@ private:
 
 NodeType voronoi_texture_node()
 {
-    static constexpr InputSocket inputs[] = {texture_vector,
-                                             {"W"},
-                                             {"Scale", SocketType::Number, NodeValue(5.0f)},
-                                             {"Detail"},
-                                             {"Roughness", SocketType::Number, NodeValue(0.5f)},
-                                             {"Lacunarity", SocketType::Number, NodeValue(2.0f)},
-                                             {"Smoothness", SocketType::Number, NodeValue(1.0f)},
-                                             {"Exponent", SocketType::Number, NodeValue(0.5f)},
-                                             {"Randomness", SocketType::Number, NodeValue(1.0f)}};
-    static constexpr OutputSocket outputs[] = {{"Distance"},
-                                               {"Color", SocketType::Color},
-                                               {"Position", SocketType::Vector},
-                                               {"W"},
-                                               {"Radius"}};
-    static constexpr std::string_view options[] = {"voronoi_dimensions", "feature", "distance",
-                                                   "normalize"};
+    static constexpr std::array inputs{
+        texture_vector,
+        InputSocket{"W"},
+        InputSocket{"Scale", SocketType::Number, NodeValue(5.0f)},
+        InputSocket{"Detail"},
+        InputSocket{"Roughness", SocketType::Number, NodeValue(0.5f)},
+        InputSocket{"Lacunarity", SocketType::Number, NodeValue(2.0f)},
+        InputSocket{"Smoothness", SocketType::Number, NodeValue(1.0f)},
+        InputSocket{"Exponent", SocketType::Number, NodeValue(0.5f)},
+        InputSocket{"Randomness", SocketType::Number, NodeValue(1.0f)}};
+    static constexpr std::array outputs{
+        OutputSocket{"Distance"}, OutputSocket{"Color", SocketType::Color},
+        OutputSocket{"Position", SocketType::Vector}, OutputSocket{"W"}, OutputSocket{"Radius"}};
+    static constexpr std::array<std::string_view, 4> options{"voronoi_dimensions", "feature",
+                                                             "distance", "normalize"};
     return {.name = "TEX_VORONOI",
             .inputs = inputs,
             .outputs = outputs,

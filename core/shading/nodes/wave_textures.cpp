@@ -5,6 +5,8 @@
 #include "shading/procedural/magic.h"
 #include "shading/procedural/wave.h"
 
+#include <array>
+
 namespace eye_render {
 
 namespace {
@@ -118,16 +120,16 @@ private:
 
 NodeType wave_texture_node()
 {
-    static constexpr InputSocket inputs[] = {
+    static constexpr std::array inputs{
         texture_vector,
         texture_scale,
-        {"Distortion"},
-        {"Detail", SocketType::Number, NodeValue(2.0f)},
-        {"Detail Scale", SocketType::Number, NodeValue(1.0f)},
-        {"Detail Roughness", SocketType::Number, NodeValue(0.5f)},
-        {"Phase Offset"}};
-    static constexpr std::string_view options[] = {"wave_type", "bands_direction",
-                                                   "rings_direction", "wave_profile"};
+        InputSocket{"Distortion"},
+        InputSocket{"Detail", SocketType::Number, NodeValue(2.0f)},
+        InputSocket{"Detail Scale", SocketType::Number, NodeValue(1.0f)},
+        InputSocket{"Detail Roughness", SocketType::Number, NodeValue(0.5f)},
+        InputSocket{"Phase Offset"}};
+    static constexpr std::array<std::string_view, 4> options{"wave_type", "bands_direction",
+                                                             "rings_direction", "wave_profile"};
     return {.name = "TEX_WAVE",
             .inputs = inputs,
             .outputs = color_and_fac,
@@ -137,9 +139,10 @@ NodeType wave_texture_node()
 
 NodeType magic_texture_node()
 {
-    static constexpr InputSocket inputs[] = {
-        texture_vector, texture_scale, {"Distortion", SocketType::Number, NodeValue(1.0f)}};
-    static constexpr std::string_view options[] = {"turbulence_depth"};
+    static constexpr std::array inputs{
+        texture_vector, texture_scale,
+        InputSocket{"Distortion", SocketType::Number, NodeValue(1.0f)}};
+    static constexpr std::array<std::string_view, 1> options{"turbulence_depth"};
     return {.name = "TEX_MAGIC",
             .inputs = inputs,
             .outputs = color_and_fac,
@@ -149,8 +152,8 @@ NodeType magic_texture_node()
 
 NodeType gradient_texture_node()
 {
-    static constexpr InputSocket inputs[] = {texture_vector};
-    static constexpr std::string_view options[] = {"gradient_type"};
+    static constexpr std::array inputs{texture_vector};
+    static constexpr std::array<std::string_view, 1> options{"gradient_type"};
     return {.name = "TEX_GRADIENT",
             .inputs = inputs,
             .outputs = color_and_fac,
