@@ -75,8 +75,19 @@ def subjects_in(context: bpy.types.Context, warn: Callable[[str], None]) -> dict
                 facts = eyecore.Session(core_scene, observer, eyecore.Settings()).facts
         if has_automatic_pupil(settings, batch.overrides):
             known_pupil_mm = facts["pupil_mm"]  # one person's pupils are alike
-        subjects[eye] = subject_of(observer, {**facts, "eye": eye.lower()})
+        as_rendered = {"eye": eye.lower(), **_effects(scene, batch.overrides)}
+        subjects[eye] = subject_of(observer, facts | as_rendered)
     return subjects
+
+
+def _effects(scene: bpy.types.Scene, overrides: batch.Overrides) -> dict[str, str]:
+    """What a session of a render would tell of the effects that it shows."""
+    settings = scene.eye_render
+    is_chromatic = settings.chromatic if overrides.chromatic is None else overrides.chromatic
+    return {
+        "chromatic": "yes" if is_chromatic else "no",
+        "stiles_crawford": overrides.stiles_crawford or settings.stiles_crawford,
+    }
 
 
 def looks_at_the_scene(arguments: dict[str, object]) -> bool:

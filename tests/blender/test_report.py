@@ -48,6 +48,22 @@ def test_a_report_says_of_which_eye_it_is_so_that_it_can_be_built_again(observer
     assert "refraction_zero" not in told
 
 
+def test_a_report_says_what_of_the_render_it_leaves_out(scene, observer, tmp_path):
+    from eye_render.report.figure import _left_out
+
+    add_object(quad_mesh(size=1.0)).location.z = -1.0  # nothing shows no colours
+    for how in (report_of, as_rendered):
+        scene.eye_render.stiles_crawford, scene.eye_render.chromatic = "OFF", False
+        plain = how(tmp_path / "eye.json")
+        assert not {"stiles_crawford", "chromatic"} & plain.keys()
+        assert _left_out(plain) == []
+        scene.eye_render.stiles_crawford, scene.eye_render.chromatic = "BRIGHTNESS", True
+        told = how(tmp_path / "eye.json")
+        assert told["stiles_crawford"] == told["chromatic"] == "not included"
+        assert told["wavelength_nm"] == 555
+        assert _left_out(told) == ["not included: Stiles-Crawford and chromatic (all at 555 nm)"]
+
+
 def test_the_slide_says_which_zero_a_schematic_eye_was_refracted_to():
     from eye_render.report.figure import _model
 

@@ -11,7 +11,7 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, Rectangle
 
-from .measure import CURVE_SAMPLES, WAVELENGTH_NM, mtf_meridians_deg, spoken_distance
+from .measure import CURVE_SAMPLES, NOT_INCLUDED, WAVELENGTH_NM, mtf_meridians_deg, spoken_distance
 
 _SIZE_INCHES = (16.0, 9.0)
 _DPI = 100
@@ -80,7 +80,16 @@ def _subtitle(report: dict) -> str:
     ]
     if "model" in report["observer"]:
         parts.append(_model(report["observer"]))
-    return "   ·   ".join(parts)
+    return "   ·   ".join(parts + _left_out(report))
+
+
+def _left_out(report: dict) -> list[str]:
+    """What the render has and these pictures and curves do not."""
+    spoken = {"stiles_crawford": "Stiles-Crawford", "chromatic": "chromatic"}
+    names = [name for key, name in spoken.items() if report.get(key) == NOT_INCLUDED]
+    if not names:
+        return []
+    return [f"not included: {' and '.join(names)} (all at {report['wavelength_nm']:.0f} nm)"]
 
 
 def _model(observer: dict) -> str:

@@ -10,6 +10,7 @@ import eyecore
 import numpy as np
 
 WAVELENGTH_NM = 555.0
+NOT_INCLUDED = "not included"
 # Large blur leaves contrast below 5 alone; 30 is the finest detail of a 20/20 letter.
 FREQUENCIES_CPD = (1.0, 2.0, 3.0, 5.0, 10.0, 20.0, 30.0)
 USUAL_DISTANCES_M = (0.4, 1.0, 6.0, math.inf)
@@ -22,6 +23,9 @@ _DESCRIBING = (
     *("pupil_formula", "luminance_cd_m2", "cd_m2_per_unit", "luminance_sigma"),
     *("field_area_deg2", "eyes", "pupil_clamps", "pupil_found_in"),
 )
+
+# What a session tells of effects that the report knows nothing of, where they are off.
+_NEVER_INCLUDED = {"stiles_crawford": "OFF", "chromatic": "no"}
 
 # Of the curve through focus: over all distances, and close to its sharpest point.
 _CURVE_MARGIN_D = 0.5
@@ -41,6 +45,8 @@ class Subject:
     accommodation_d: float
     amplitude_d: float
     description: Mapping[str, str | float | None] = field(default_factory=dict)
+    # What a render of it does and the report does not: one wavelength, an even pupil.
+    not_included: tuple[str, ...] = ()
 
     @property
     def eye(self) -> eyecore.Eye:
@@ -58,6 +64,9 @@ def subject_of(observer: eyecore.Observer, facts: Mapping[str, str | float]) -> 
             for key in _DESCRIBING
             if key in facts
         },
+        not_included=tuple(
+            key for key, off in _NEVER_INCLUDED.items() if facts.get(key, off) != off
+        ),
     )
 
 
@@ -83,6 +92,7 @@ def measure(subject: Subject, distances_m: Sequence[float]) -> dict:
     return {
         "observer": dict(subject.description),
         "wavelength_nm": WAVELENGTH_NM,
+        **dict.fromkeys(subject.not_included, NOT_INCLUDED),
         "pupil_mm": eye.pupil_mm,
         "accommodation_d": subject.accommodation_d,
         "accommodation_amplitude_d": subject.amplitude_d,
