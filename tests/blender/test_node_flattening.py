@@ -129,6 +129,18 @@ def test_a_muted_link_is_none(material):
 @pytest.mark.skipif(
     hasattr(bpy.types.Material, "inline_shader_nodes"), reason="this Blender removes them itself"
 )
+def test_a_muted_node_that_nothing_is_linked_to_is_zero_as_in_cycles(material):
+    diffuse = surface(material, "ShaderNodeBsdfDiffuse")
+    invert = add_node(material, "ShaderNodeInvert")
+    invert.inputs["Color"].default_value = (0.5, 0.5, 0.5, 1.0)
+    invert.mute = True
+    link(material, invert.outputs[0], diffuse.inputs["Color"])
+    assert color_of(material) == Input("RGBA", (0.0, 0.0, 0.0))
+
+
+@pytest.mark.skipif(
+    hasattr(bpy.types.Material, "inline_shader_nodes"), reason="this Blender removes them itself"
+)
 def test_a_reroute_from_nowhere_is_zero_as_in_cycles(material):
     diffuse = surface(material, "ShaderNodeBsdfDiffuse")
     reroute = add_node(material, "NodeReroute")
