@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 
 namespace eye_render {
@@ -223,18 +224,26 @@ TEST(Program, shader_where_a_value_is_asked_for_is_refused)
 
 TEST(Program, more_lobes_than_a_mixture_holds_are_refused)
 {
-    const auto layered = [](GraphTrial& trial, int lobes) {
-        std::size_t sum = trial.add("BSDF_DIFFUSE");
-        for (int i = 1; i < lobes; ++i) {
-            const std::size_t more = trial.add("ADD_SHADER");
-            trial.graph.link(more, "Shader", {.node = sum});
-            trial.graph.link(more, "Shader_001", {.node = trial.add("BSDF_DIFFUSE")});
-            sum = more;
-        }
-        static_cast<void>(trial.surface(sum, "Shader"));
+    const auto added = [](GraphTrial& trial, std::size_t first, std::size_t second) {
+        const std::size_t sum = trial.add("ADD_SHADER");
+        trial.graph.link(sum, "Shader", {.node = first});
+        trial.graph.link(sum, "Shader_001", {.node = second});
+        return sum;
     };
-    EXPECT_EQ(refusal([&](GraphTrial& trial) { layered(trial, Bsdf::capacity); }), "");
-    EXPECT_NE(refusal([&](GraphTrial& trial) { layered(trial, Bsdf::capacity + 1); }), "");
+    // Two chains, as one would be nested too deep.
+    const auto refused = [&](int lobes) {
+        return refusal([&](GraphTrial& trial) {
+            std::array<std::size_t, 2> chains{trial.add("BSDF_DIFFUSE"),
+                                              trial.add("BSDF_DIFFUSE")};
+            for (int i = 2; i < lobes; ++i) {
+                std::size_t& chain = chains[static_cast<std::size_t>(i % 2)];
+                chain = added(trial, chain, trial.add("BSDF_DIFFUSE"));
+            }
+            static_cast<void>(trial.surface(added(trial, chains[0], chains[1]), "Shader"));
+        });
+    };
+    EXPECT_EQ(refused(Bsdf::capacity), "");
+    EXPECT_EQ(refused(Bsdf::capacity + 1), "a mix of shaders has 65 lobes; expected 0 to 64");
 }
 
 // Every level doubles the ways to the leaf: refused before they are all gone.
