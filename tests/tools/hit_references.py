@@ -6,9 +6,9 @@ Run inside Blender 4.3, then turned into tests/data/nodes/hits.json:
     python3 tests/tools/hit_references.py OUT_FOLDER tests/data/nodes/hits.json
 
 Two bodies fill the picture: a smooth one, turned and enlarged, and a flat one, mirrored and
-stretched, half of whose faces show their backs. Every output of a case is an AOV; an input is a constant or the
-output of another node. UV layers and attributes are a formula of the position, so that both sides
-of the test can make them.
+stretched, half of whose faces show their backs. Every output of a case is an AOV; an input is a
+constant or the output of another node. UV layers and attributes are a formula of the position, so
+that both sides of the test can make them.
 """
 
 import json
