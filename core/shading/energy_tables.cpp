@@ -158,12 +158,19 @@ LobeEnergy glass_energy(float roughness, float cos_o, float ior)
     return {table.albedo.lookup(z, locate<coarse>(cos_o), r), table.mean_albedo.lookup(z, r)};
 }
 
-Color3f energy_compensation(const LobeEnergy& energy, const Color3f& mean_fresnel)
+float energy_compensation(const LobeEnergy& energy, float mean_fresnel)
 {
     const float lost = (1.0f - energy.albedo) / energy.albedo;
-    const Color3f mean_lost = mean_fresnel * (1.0f - energy.mean_albedo);
+    const float mean_lost = mean_fresnel * (1.0f - energy.mean_albedo);
     // One bounce of Fresnel is in the lobe already and so is cancelled here.
-    return Color3f(1.0f) + mean_fresnel * energy.mean_albedo / (Color3f(1.0f) - mean_lost) * lost;
+    return 1.0f + mean_fresnel * energy.mean_albedo / (1.0f - mean_lost) * lost;
+}
+
+Color3f energy_compensation(const LobeEnergy& energy, const Color3f& mean_fresnel)
+{
+    return {energy_compensation(energy, mean_fresnel.x),
+            energy_compensation(energy, mean_fresnel.y),
+            energy_compensation(energy, mean_fresnel.z)};
 }
 
 float dielectric_albedo_blend(float roughness, float cos_o, float ior)

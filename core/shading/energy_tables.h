@@ -29,6 +29,7 @@ struct LobeEnergy {
 
 // Factor on a lobe whose Fresnel, or colour, has the cosine-weighted mean `mean_fresnel`.
 [[nodiscard]] Color3f energy_compensation(const LobeEnergy& energy, const Color3f& mean_fresnel);
+[[nodiscard]] float energy_compensation(const LobeEnergy& energy, float mean_fresnel);
 
 // How far the mean Fresnel of the facets that are seen has moved from `f0` to white: for a
 // dielectric, and for Schlick's Fresnel. Facets that reflect below the surface count as 0.

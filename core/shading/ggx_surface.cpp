@@ -6,6 +6,7 @@
 #include "shading/frame.h"
 #include "shading/fresnel.h"
 #include "shading/input_range.h"
+#include "shading/lookup_table.h"
 #include "shading/microfacet_lobe.h"
 
 #include <algorithm>
@@ -66,7 +67,7 @@ struct Compensation {
 
 // Of a metal or a mirror, whose Fresnel has this albedo.
 void add_reflection(Bsdf& bsdf,
-                    Lobe lobe,
+                    Lobe& lobe,
                     const GgxSurface& surface,
                     const Color3f& mean_fresnel,
                     const Color3f& albedo)
@@ -76,30 +77,49 @@ void add_reflection(Bsdf& bsdf,
     bsdf.add(lobe, albedo * c.albedo);
 }
 
-// What differs between a boundary that is tinted or has a film and one that is plain.
-void set_boundary(Lobe& lobe, const Boundary& boundary, LobeKind tinted)
+[[nodiscard]] bool is_plain(const Boundary& boundary)
 {
-    lobe.ior = boundary.ior;
-    if (boundary.film_thickness_nm > 0.0f || boundary.specular_tint != Color3f(1.0f)) {
-        lobe.kind = tinted;
-        lobe.f0 = unit_range(boundary.specular_tint * f0_from_ior(boundary.ior));
-        lobe.film_thickness_nm = boundary.film_thickness_nm;
-        lobe.film_ior = boundary.film_ior;
-    }
+    return !(boundary.film_thickness_nm > 0.0f) && boundary.specular_tint == Color3f(1.0f);
 }
 
-// The albedo of the polish without its weight and compensation.
-[[nodiscard]] Color3f dielectric_albedo(const Lobe& lobe, const GgxSurface& surface)
+// What tells a boundary that is tinted or has a film from one that is plain.
+void tint(Lobe& lobe, const Boundary& boundary, LobeKind tinted)
+{
+    lobe.kind = tinted;
+    lobe.f0 = unit_range(boundary.specular_tint * f0_from_ior(boundary.ior));
+    lobe.film_thickness_nm = boundary.film_thickness_nm;
+    lobe.film_ior = boundary.film_ior;
+}
+
+// As add_dielectric, in one colour.
+[[nodiscard]] float add_plain_dielectric(Bsdf& bsdf,
+                                         Lobe& lobe,
+                                         const GgxSurface& surface,
+                                         float roughness)
+{
+    const float f0 = f0_from_ior(lobe.ior);
+    float albedo = mix(f0, 1.0f, dielectric_albedo_blend(roughness, surface.cos_o, lobe.ior));
+    const Color3f weight = lobe.weight;
+    if (is_compensated(lobe, surface)) {
+        const LobeEnergy energy = reflection_energy(roughness, surface.cos_o);
+        const float factor =
+            energy_compensation(energy, std::max(f0, mean_fresnel_dielectric(lobe.ior)));
+        lobe.weight *= factor;
+        albedo *= factor * energy.albedo;
+    }
+    bsdf.add(lobe, weight * albedo);
+    return albedo;
+}
+
+// The albedo of a tinted one without its weight and compensation.
+[[nodiscard]] Color3f tinted_albedo(const Lobe& lobe, const GgxSurface& surface, float blend)
 {
     if (lobe.film_thickness_nm > 0.0f) {
         Lobe unit = lobe;
         unit.weight = Color3f(1.0f);
         return facet_albedo(unit, surface.cos_o);
     }
-    const Color3f f0 =
-        lobe.kind == LobeKind::Dielectric ? Color3f(f0_from_ior(lobe.ior)) : lobe.f0;
-    return blend_to_white(
-        f0, dielectric_albedo_blend(table_roughness(lobe, surface), surface.cos_o, lobe.ior));
+    return blend_to_white(lobe.f0, blend);
 }
 
 }  // namespace
@@ -125,8 +145,8 @@ void brush(GgxSurface& surface,
 
 void add_glossy(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color3f& color)
 {
-    add_reflection(bsdf, surface_lobe(LobeKind::Glossy, color * weight, surface), surface,
-                   unit_range(color), color * weight);
+    Lobe lobe = surface_lobe(LobeKind::Glossy, color * weight, surface);
+    add_reflection(bsdf, lobe, surface, unit_range(color), color * weight);
 }
 
 void add_phong(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color)
@@ -174,13 +194,17 @@ float add_dielectric(Bsdf& bsdf,
                      const Boundary& boundary)
 {
     Lobe lobe = surface_lobe(LobeKind::Dielectric, weight, surface);
-    set_boundary(lobe, boundary, LobeKind::TintedDielectric);
-    const float f0 = f0_from_ior(boundary.ior);
-    const float mean_blend = dielectric_blend(mean_fresnel_dielectric(boundary.ior), f0);
-    const Color3f mean_fresnel =
-        blend_to_white(lobe.kind == LobeKind::Dielectric ? Color3f(f0) : lobe.f0, mean_blend);
-    const Compensation c = compensate(lobe, surface, mean_fresnel);
-    const Color3f albedo = dielectric_albedo(lobe, surface) * c.albedo;
+    lobe.ior = boundary.ior;
+    const float roughness = table_roughness(lobe, surface);
+    if (is_plain(boundary)) {
+        return add_plain_dielectric(bsdf, lobe, surface, roughness);
+    }
+    tint(lobe, boundary, LobeKind::TintedDielectric);
+    const float mean_blend =
+        dielectric_blend(mean_fresnel_dielectric(lobe.ior), f0_from_ior(lobe.ior));
+    const Compensation c = compensate(lobe, surface, blend_to_white(lobe.f0, mean_blend));
+    const float blend = dielectric_albedo_blend(roughness, surface.cos_o, lobe.ior);
+    const Color3f albedo = tinted_albedo(lobe, surface, blend) * c.albedo;
     lobe.weight *= c.factor;
     bsdf.add(lobe, albedo * weight);
     return max_component(albedo);
@@ -205,7 +229,10 @@ void add_glass(Bsdf& bsdf,
 {
     Lobe lobe = surface_lobe(LobeKind::Glass, weight * reflection, surface);
     lobe.second_weight = weight * transmission;
-    set_boundary(lobe, boundary, LobeKind::TintedGlass);
+    lobe.ior = boundary.ior;
+    if (!is_plain(boundary)) {
+        tint(lobe, boundary, LobeKind::TintedGlass);
+    }
     // As of smooth glass.
     Color3f albedo = facet_albedo(lobe, surface.cos_o);
     if (is_compensated(lobe, surface)) {

@@ -41,39 +41,42 @@ struct Split {
     return blend_to_white(lobe.f0, dielectric_blend(untinted, f0_from_ior(lobe.ior)));
 }
 
-// What one facet does to light that leaves it under `cos_facet`, the lobe's weights included.
-[[nodiscard]] Split split_at_facet(const Lobe& lobe, float cos_facet)
+[[nodiscard]] Split split_at_rare_facet(const Lobe& lobe, float cos_facet)
+{
+    if (lobe.kind == LobeKind::Conductor) {
+        return {lobe.weight * fresnel_conductor(cos_facet, lobe.f0, lobe.edge)};
+    }
+    const DielectricFresnel f = fresnel_dielectric(cos_facet, lobe.ior);
+    if (lobe.kind == LobeKind::Refraction) {
+        return {Color3f(0.0f), f.cos_transmitted > 0.0f ? lobe.second_weight : Color3f(0.0f),
+                f.cos_transmitted};
+    }
+    const Color3f reflected = tinted_reflectance(lobe, cos_facet, f.reflectance);
+    if (lobe.kind == LobeKind::TintedDielectric) {
+        return {lobe.weight * reflected};
+    }
+    if (f.cos_transmitted == 0.0f) {
+        return {lobe.weight};
+    }
+    return {lobe.weight * reflected, lobe.second_weight * (Color3f(1.0f) - reflected),
+            f.cos_transmitted};
+}
+
+// What one facet does to light that leaves it under `cos_facet`, the lobe's weights included. What
+// most materials have stands here, to be inlined.
+[[nodiscard]] inline Split split_at_facet(const Lobe& lobe, float cos_facet)
 {
     switch (lobe.kind) {
+    case LobeKind::Glossy: return {lobe.weight};
     case LobeKind::Metal: return {lobe.weight * f82_fresnel(cos_facet, lobe.f0, lobe.edge)};
-    case LobeKind::Conductor:
-        return {lobe.weight * fresnel_conductor(cos_facet, lobe.f0, lobe.edge)};
     case LobeKind::Dielectric:
         return {lobe.weight * fresnel_dielectric(cos_facet, lobe.ior).reflectance};
-    case LobeKind::TintedDielectric: {
-        const float f = fresnel_dielectric(cos_facet, lobe.ior).reflectance;
-        return {lobe.weight * tinted_reflectance(lobe, cos_facet, f)};
-    }
     case LobeKind::Glass: {
         const DielectricFresnel f = fresnel_dielectric(cos_facet, lobe.ior);
         return {lobe.weight * f.reflectance, lobe.second_weight * (1.0f - f.reflectance),
                 f.cos_transmitted};
     }
-    case LobeKind::TintedGlass: {
-        const DielectricFresnel f = fresnel_dielectric(cos_facet, lobe.ior);
-        if (f.cos_transmitted == 0.0f) {
-            return {lobe.weight};
-        }
-        const Color3f reflected = tinted_reflectance(lobe, cos_facet, f.reflectance);
-        return {lobe.weight * reflected, lobe.second_weight * (Color3f(1.0f) - reflected),
-                f.cos_transmitted};
-    }
-    case LobeKind::Refraction: {
-        const DielectricFresnel f = fresnel_dielectric(cos_facet, lobe.ior);
-        return {Color3f(0.0f), f.cos_transmitted > 0.0f ? lobe.second_weight : Color3f(0.0f),
-                f.cos_transmitted};
-    }
-    default: return {lobe.weight};
+    default: return split_at_rare_facet(lobe, cos_facet);
     }
 }
 
