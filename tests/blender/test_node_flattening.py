@@ -208,6 +208,17 @@ def test_groups_in_groups_read_what_is_linked_outside(material, group):
     assert noise.inputs["Vector"].source.identifier == "Object"
 
 
+def test_the_active_output_of_a_group_counts(material, group):
+    other = group.nodes.new("NodeGroupOutput")
+    path = group.nodes.new("ShaderNodeLightPath")
+    group.links.new(path.outputs["Ray Length"], other.inputs["Color"])
+    for output in (node for node in group.nodes if node.type == "GROUP_OUTPUT"):
+        output.is_active_output = output == other
+    diffuse = surface(material, "ShaderNodeBsdfDiffuse")
+    link(material, add_group(material, group, 1.0).outputs[0], diffuse.inputs["Color"])
+    assert color_of(material).source.identifier == "Ray Length"
+
+
 def test_a_group_without_a_tree_leaves_the_sockets_own_value(material):
     diffuse = surface(material, "ShaderNodeBsdfDiffuse")
     diffuse.inputs["Color"].default_value = (0.5, 0.25, 0.0, 1.0)

@@ -127,10 +127,9 @@ def test_a_linked_subsurface_is_the_scale():
 
 
 def test_specular_tint_is_a_colour_between_white_and_the_base():
-    changes = {"Specular Tint": number(0.5), "Metallic": number(0.25)}
-    assert value_of(principled(**changes).inputs["Specular Tint"]) == approx(
-        (0.8125, 0.775, 0.7375)
-    )
+    changes = {"Specular Tint": number(0.25), "Metallic": number(0.25)}
+    tint = value_of(principled(**changes).inputs["Specular Tint"])
+    assert tint == approx((0.90625, 0.8875, 0.86875))
 
 
 def test_specular_tint_is_of_the_colour_that_subsurface_mixed():
