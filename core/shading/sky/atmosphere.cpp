@@ -88,14 +88,13 @@ using Constituents = V3d;
            (8.0 * pi * (2.0 + g * g) * std::pow(1.0 + g * g - 2.0 * g * cosine, 1.5));
 }
 
-[[nodiscard]] double transmittance(const Constituents& column_m, std::size_t wavelength)
+[[nodiscard]] double transmittance(const Constituents& column_m,
+                                   const SkySpectra& spectra,
+                                   std::size_t wavelength)
 {
-    const SkySpectra& spectra = sky_spectra();
-    const double depth = column_m.x * spectra.rayleigh_per_m[wavelength] +
-                         column_m.y * dust_extinction_per_m +
-                         column_m.z * spectra.ozone_per_m[wavelength];
-    // A sky takes tens of millions of these, and single precision is half the time.
-    return static_cast<double>(std::exp(static_cast<float>(-depth)));
+    return std::exp(-(column_m.x * spectra.rayleigh_per_m[wavelength] +
+                      column_m.y * dust_extinction_per_m +
+                      column_m.z * spectra.ozone_per_m[wavelength]));
 }
 
 }  // namespace
@@ -128,7 +127,8 @@ V3d Air::scattered_xyz(const V3d& direction, const V3d& sun) const
         for (std::size_t i = 0; i < sky_wavelength_count; ++i) {
             const double scattered =
                 air_phase * here.x * spectra.rayleigh_per_m[i] + dust_scattering_sr * here.y;
-            radiance[i] += spectra.sunlight[i] * transmittance(way_m, i) * scattered * step_m;
+            radiance[i] +=
+                spectra.sunlight[i] * transmittance(way_m, spectra, i) * scattered * step_m;
         }
     }
     return xyz_of(radiance);
@@ -138,9 +138,10 @@ V3d Air::sunlight_xyz(const V3d& direction) const
 {
     const Constituents amounts(atmosphere_.air, atmosphere_.dust, 0.0);
     const Constituents way_m = amounts * column_m(observer_m_, direction);
+    const SkySpectra& spectra = sky_spectra();
     SkySpectra::Spectrum irradiance{};
     for (std::size_t i = 0; i < sky_wavelength_count; ++i) {
-        irradiance[i] = sky_spectra().sunlight[i] * transmittance(way_m, i);
+        irradiance[i] = spectra.sunlight[i] * transmittance(way_m, spectra, i);
     }
     return xyz_of(irradiance);
 }
