@@ -15,6 +15,10 @@ from .reporting import facts_of
 _ANSWERS = 8  # remembered: panels ask at every redraw, in two tabs for two eyes
 
 
+# A schematic eye's map takes longer to fit than the few rays of a line to trace.
+_TRACED = {"exact_trace": True}
+
+
 class Summary(NamedTuple):
     line: str  # blur, far and near point and pupil; or why they are not known
     accommodation: str = ""  # how far the eye accommodates, and why no further, if that is known
@@ -82,7 +86,7 @@ def _answer(arguments: dict[str, object]) -> Summary:
         # The report needs the native module, without which the panels still say why it is missing.
         from .report import subject_of, summary_line
 
-        observer = make_observer(arguments)
+        observer = make_observer(arguments | _TRACED if "exact_trace" in arguments else arguments)
         facts = facts_of(observer)
         subject = subject_of(observer, facts)
         line = summary_line(subject, facts.get("focus_m", float("inf")))

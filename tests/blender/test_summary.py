@@ -1,8 +1,11 @@
 """The panel's line on blur, far and near point: as the scene stands, without a render."""
 
+import math
+import re
+
 import bpy
 import pytest
-from eye_render import summary
+from eye_render import reporting, summary
 from scenes import add_object
 
 
@@ -68,6 +71,34 @@ def test_the_image_centre_is_not_what_another_render_was_focused_at(scene, obser
     render()  # looks at 0.5 m
     observer.focus_mode = "CENTER"
     assert line(scene) == "Blur: the first render finds what is at the image centre"
+
+
+@pytest.mark.parametrize("model", ["PARAXIAL", "WAVEFRONT", "NAVARRO", "ARIZONA"])
+def test_the_line_of_a_few_rays_has_the_reports_blur(scene, observer, model):
+    """To half of the last digit that it shows, and 1e-3 of the blur for its few rays."""
+    observer.model = model
+    observer.right.text = "-2.00DS -0.75DC 160A"
+    observer.pupil_mm = 6.0
+    shown = map(float, re.findall(r"([\d.]+)′", line(scene)))
+    eye = reporting.subjects_in(bpy.context, warn=print)["RIGHT"].eye
+    for blur, distance_m in zip(shown, (0.5, math.inf), strict=True):
+        exact = eye.spot_ellipse(distance_m).major_arcmin
+        assert blur == pytest.approx(exact, abs=0.05 + 1e-3 * exact)
+
+
+@pytest.mark.parametrize("model", ["NAVARRO", "LE_GRAND"])
+def test_a_schematic_eye_is_traced_for_its_line_and_not_fitted(
+    scene, observer, model, monkeypatch
+):
+    """Which takes as long as all the rest, and once for every state of the eye."""
+    asked = []
+    make_observer = summary.make_observer
+    monkeypatch.setattr(
+        summary, "make_observer", lambda told: asked.append(told) or make_observer(told)
+    )
+    observer.model = model
+    line(scene)
+    assert [told["exact_trace"] for told in asked] == [True]
 
 
 def test_in_stereo_there_is_a_line_for_each_eye(scene, observer):
