@@ -113,7 +113,7 @@ private:
     }
 
     const NodeType& type_;
-    std::unique_ptr<const ClosureNode> closure_;
+    std::shared_ptr<const ClosureNode> closure_;
     ProgramStep step_;
 };
 

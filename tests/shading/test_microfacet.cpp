@@ -100,5 +100,84 @@ TEST(Microfacet, sampled_normals_are_unit_and_face_the_viewer_even_at_the_corner
     }
 }
 
+// Both models, spread twice as widely one way as the other.
+struct BrushedFacets {
+    const char* name;
+    float (*density)(float, float, const V3f&);
+    float (*smith)(float, float, const V3f&);
+    V3f (*sample)(const V3f&, float, float, const V2f&);
+
+    static constexpr float alpha_x = 0.6f;
+    static constexpr float alpha_y = 0.3f;
+
+    [[nodiscard]] double visible_density(const V3f& m, const V3f& wo) const
+    {
+        const float masking = masking_over_cos(wo.z, smith(alpha_x, alpha_y, wo));
+        return m.z > 0.0f ? double(density(alpha_x, alpha_y, m) * std::max(0.0f, wo.dot(m))) *
+                                double(masking)
+                          : 0.0;
+    }
+};
+
+const BrushedFacets brushed_facets[] = {
+    {"GGX", &ggx_density, &smith_term, &sample_visible_normal},
+    {"Beckmann", &beckmann_density, &beckmann_smith_term, &sample_visible_beckmann_normal},
+};
+
+TEST(Microfacet, brushed_facets_cover_the_surface_and_what_the_viewer_sees)
+{
+    for (const BrushedFacets& facets : brushed_facets) {
+        for (const V3f& wo : {direction_at(0.0), direction_at(50.0, 30.0), direction_at(80.0)}) {
+            double area = 0.0;
+            double seen = 0.0;
+            for_each_direction(1024, 256, [&](const V3f& m, double solid_angle) {
+                if (m.z > 0.0f) {
+                    area += double(facets.density(0.6f, 0.3f, m) * m.z) * solid_angle;
+                    seen += facets.visible_density(m, wo) * solid_angle;
+                }
+            });
+            EXPECT_NEAR(area, 1.0, 2e-3) << facets.name;
+            EXPECT_NEAR(seen, 1.0, 2e-3) << facets.name << ", " << wo;
+        }
+    }
+}
+
+TEST(Microfacet, brushed_facets_alike_both_ways_are_not_brushed)
+{
+    const V3f m = direction_at(20.0, 50.0);
+    EXPECT_NEAR(ggx_density(0.4f, 0.4f, m), density_at(m, 0.4f), 1e-5f * density_at(m, 0.4f));
+    EXPECT_NEAR(smith_term(0.4f, 0.4f, m), smith_term(0.16f, m.z), 1e-6f);
+}
+
+TEST(Microfacet, sampled_brushed_normals_follow_the_visible_density)
+{
+    constexpr int heights = 24;
+    constexpr int azimuths = 16;
+    constexpr int sub = 12;
+    constexpr int samples = 1000000;
+    constexpr std::size_t views = 2;
+    const double significance =
+        1.0 - std::pow(1.0 - 0.01, 1.0 / double(std::size(brushed_facets) * views));
+    for (const BrushedFacets& facets : brushed_facets) {
+        for (const V3f& wo : {direction_at(5.0, 10.0), direction_at(70.0, 40.0)}) {
+            std::vector<double> expected(heights * azimuths), observed(heights * azimuths);
+            for_each_direction(heights * sub, azimuths * sub, [&](const V3f& m, double cell) {
+                expected[test::cell_of(m, heights, azimuths)] +=
+                    samples * facets.visible_density(m, wo) * cell;
+            });
+            std::mt19937 random(11);
+            std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+            for (int i = 0; i < samples; ++i) {
+                const float x = uniform(random);
+                const V3f m = facets.sample(wo, BrushedFacets::alpha_x, BrushedFacets::alpha_y,
+                                            {x, uniform(random)});
+                ++observed[test::cell_of(m, heights, azimuths)];
+            }
+            const test::ChiSquared fit = test::chi_squared_test(observed, expected, significance);
+            EXPECT_LT(fit.statistic, fit.critical) << facets.name << ", " << wo;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace eye_render

@@ -1,0 +1,93 @@
+// Rough Lambert, translucency and toon.
+
+#include "scattering.h"
+#include "shading/diffuse_lobe.h"
+
+#include <gtest/gtest.h>
+
+namespace eye_render {
+namespace {
+
+using test::direction_at;
+using test::up;
+
+const Color3f white(1.0f);
+constexpr double angles_deg[] = {0.0, 30.0, 60.0, 85.0};
+
+Bsdf oren_nayar(const Color3f& color, float roughness, double angle_deg)
+{
+    Bsdf bsdf(direction_at(angle_deg), up);
+    const LobeAndAlbedo made =
+        oren_nayar_lobe(color, color, roughness, up, up, direction_at(angle_deg));
+    bsdf.add(made.lobe, made.albedo);
+    return bsdf;
+}
+
+TEST(OrenNayar, white_returns_all_light_however_rough)
+{
+    for (float roughness : {0.2f, 0.6f, 1.0f}) {
+        for (double angle_deg : angles_deg) {
+            EXPECT_NEAR(test::integrate(oren_nayar(white, roughness, angle_deg)).value.x, 1.0,
+                        2e-3)
+                << roughness << ", " << angle_deg << " deg";
+        }
+    }
+}
+
+TEST(OrenNayar, albedo_is_the_light_returned)
+{
+    const Color3f orange(0.9f, 0.5f, 0.2f);
+    for (float roughness : {0.2f, 1.0f}) {
+        for (double angle_deg : angles_deg) {
+            const Bsdf bsdf = oren_nayar(orange, roughness, angle_deg);
+            const V3d returned = test::integrate(bsdf).value;
+            for (int c = 0; c < 3; ++c) {
+                EXPECT_NEAR(returned[c], double(bsdf.albedo()[c]), 2e-3) << roughness;
+            }
+        }
+    }
+}
+
+TEST(OrenNayar, becomes_lambert_as_roughness_goes)
+{
+    Bsdf lambert(direction_at(60.0), up);
+    lambert.add(diffuse_lobe(white, up, up), white);
+    const V3f wi = direction_at(70.0, 20.0);
+    EXPECT_NEAR(oren_nayar(white, 1e-4f, 60.0).evaluate(wi).value.x, lambert.evaluate(wi).value.x,
+                1e-4f);
+}
+
+TEST(OrenNayar, is_flatter_than_lambert_against_the_light)
+{
+    // The full moon: a rough ball seen from where the light is does not darken towards its rim.
+    const V3f grazing = direction_at(75.0);
+    const float rough = oren_nayar(white, 1.0f, 75.0).evaluate(grazing).value.x;
+    const float lambert = grazing.z / float(pi);
+    EXPECT_GT(rough, 1.3f * lambert);
+}
+
+TEST(Translucent, is_lambert_on_the_other_side)
+{
+    Bsdf bsdf(direction_at(40.0), up);
+    bsdf.add(translucent_lobe(white, up, up), white);
+    EXPECT_TRUE(bsdf.transmits());
+    EXPECT_EQ(bsdf.evaluate(direction_at(20.0)).value, Color3f(0.0f));
+    EXPECT_NEAR(bsdf.evaluate(direction_at(120.0)).value.x, 0.5 / pi, 1e-6);
+    const auto s = bsdf.sample(0.5f, {0.3f, 0.7f});
+    ASSERT_TRUE(s);
+    EXPECT_TRUE(s->is_transmitted && s->is_diffuse);
+}
+
+TEST(Toon, is_lit_within_its_cone_alone_and_fades_over_its_edge)
+{
+    // Half a right angle, and a fifth more to fade.
+    Bsdf bsdf(direction_at(80.0), up);
+    bsdf.add(toon_lobe(LobeKind::DiffuseToon, white, 0.5f, 0.2f, up, up), white);
+    const float full = bsdf.evaluate(up).value.x;
+    EXPECT_NEAR(bsdf.evaluate(direction_at(44.0, 130.0)).value.x, full, 1e-6f);
+    EXPECT_NEAR(bsdf.evaluate(direction_at(54.0, 200.0)).value.x, 0.5f * full, 1e-4f);
+    EXPECT_EQ(bsdf.evaluate(direction_at(64.0)).value.x, 0.0f);
+}
+
+}  // namespace
+}  // namespace eye_render
