@@ -162,13 +162,16 @@ def _worn(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str) -> 
 
 def _wavefront(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str):
     """None for the mean of healthy eyes."""
-    measured = overrides.wavefront
-    if eye == "LEFT":
-        measured = _ruled(overrides.wavefront_left, measured)
+    of_file = settings.left_wavefront if eye == "LEFT" else settings.right_wavefront
+    measured = _wavefront_override(overrides, eye)
     if measured is None:
+        has_own = settings.wavefront_source == "MEASURED" and of_file.is_there
+        others = overrides.wavefront or overrides.wavefront_left
+        if others is not None and not has_own:
+            raise BadValueError(_only_of_the_other(others, eye))
         if settings.wavefront_source == "POPULATION":
             return None
-        measured = settings.left_wavefront if eye == "LEFT" else settings.right_wavefront
+        measured = of_file
         if not measured.is_there:
             raise EyeRenderError(f"No wavefront of the {eye.lower()} eye has been imported")
     elif measured.side not in ("", prescription.SIDE_OF_EYE[eye]):
@@ -177,6 +180,29 @@ def _wavefront(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str
             f"but this picture is seen with the {eye.lower()} eye"
         )
     return wavefront.as_core(measured)
+
+
+def _wavefront_override(overrides: Overrides, eye: str) -> wavefront.WavefrontFile | None:
+    """What the command line says of this eye. Left and right eyes mirror each other, so no file is
+    for both; --eye-wavefront is for the right one, unless its file says that it is of the left."""
+    if eye == "RIGHT":
+        return overrides.wavefront
+    of_left = overrides.wavefront is not None and overrides.wavefront.side == "OS"
+    return _ruled(overrides.wavefront_left, overrides.wavefront if of_left else None)
+
+
+def _only_of_the_other(others: wavefront.WavefrontFile, eye: str) -> str:
+    if eye == "RIGHT":
+        return (
+            "--eye-wavefront-left is of the left eye, but this picture is seen with the right "
+            "eye; expected --eye-wavefront FILE of that eye, too"
+        )
+    whose = "is of the eye OD" if others.side else "names no eye and so is of the right one"
+    says_so = "" if others.side else ", or a line eye,OS in the file if it is of that eye"
+    return (
+        f"the file of --eye-wavefront {whose}, but this picture is seen with the left eye; "
+        f"expected --eye-wavefront-left FILE{says_so}"
+    )
 
 
 def _refuse(problem: str, what: str) -> None:

@@ -193,10 +193,12 @@ OPTIONS: dict[str, Option] = {
         choices.EYE_MODELS, "how the eye turns a point of its pupil into a ray"
     ),
     "--eye-wavefront": Option(
-        "a file, CSV or JSON", "measured aberrations, for the model wavefront", wavefront.read
+        "a file, CSV or JSON",
+        "measured aberrations of the right eye, or of the one it names, for the model wavefront",
+        wavefront.read,
     ),
     "--eye-wavefront-left": Option(
-        "a file, CSV or JSON", "the same of the left eye, where there are two", wavefront.read
+        "a file, CSV or JSON", "the same of the left eye", wavefront.read
     ),
     "--eye-refraction-zero": _one_of(
         choices.REFRACTION_ZEROS, "what no prescription means for an eye with real surfaces"

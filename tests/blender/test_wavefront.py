@@ -8,7 +8,7 @@ import bpy
 import pytest
 from eye_render import wavefront
 from eye_render.batch import Overrides
-from eye_render.core import EyeRenderError
+from eye_render.core import BadValueError, EyeRenderError
 from eye_render.observer import eye_arguments
 from test_render import file_info
 
@@ -130,6 +130,59 @@ def test_a_wavefront_of_the_other_eye_is_refused(scene, write):
     with pytest.raises(EyeRenderError, match="the wavefront is of the eye OS"):
         eye_arguments(observer, Overrides(wavefront=of_left), "RIGHT")
     assert eye_arguments(observer, Overrides(wavefront=of_left), "LEFT")["model"] == "wavefront"
+
+
+@pytest.mark.parametrize(
+    ("options", "eye", "sentence"),
+    [
+        (
+            {"wavefront": ""},
+            "LEFT",
+            "the file of --eye-wavefront names no eye and so is of the right one, but this "
+            "picture is seen with the left eye; expected --eye-wavefront-left FILE, or a line "
+            "eye,OS in the file if it is of that eye",
+        ),
+        (
+            {"wavefront": "eye,OD\n"},
+            "LEFT",
+            "the file of --eye-wavefront is of the eye OD, but this picture is seen with the left "
+            "eye; expected --eye-wavefront-left FILE",
+        ),
+        (
+            {"wavefront_left": ""},
+            "RIGHT",
+            "--eye-wavefront-left is of the left eye, but this picture is seen with the right eye",
+        ),
+        ({"wavefront": "", "wavefront_left": "eye,OD\n"}, "LEFT", "is of the eye OD"),
+    ],
+)
+def test_no_wavefront_is_taken_for_that_of_the_other_eye(scene, write, options, eye, sentence):
+    given = Overrides(**{name: wavefront.read(write(CSV + end)) for name, end in options.items()})
+    observer = scene.camera.data.eye_render
+    for model in ("PARAXIAL", "WAVEFRONT"):  # which of itself has the mean of healthy eyes
+        observer.model = model
+        with pytest.raises(BadValueError, match=re.escape(sentence)):
+            eye_arguments(observer, given, eye)
+
+
+def test_an_imported_wavefront_stands_beside_one_of_the_command_line(scene, write):
+    import_file(scene, write(CSV.replace("0.2", "0.3")), "LEFT")
+    observer = scene.camera.data.eye_render
+    right = Overrides(wavefront=wavefront.read(write(CSV)))
+    told = {
+        eye: eye_arguments(observer, right, eye)["wavefront"].coefficients_um[12]
+        for eye in ("RIGHT", "LEFT")
+    }
+    assert told == {"RIGHT": pytest.approx(0.2), "LEFT": pytest.approx(0.3)}
+
+
+def test_in_stereo_one_wavefront_file_ends_blender_with_status_2(run_blender, picture, write):
+    path = write(CSV)
+    stereo = "scene.render.use_multiview = True\n"
+    ended = run_blender("--", "--eye-wavefront", path, script=stereo)
+    assert ended.returncode == 2
+    assert f'--eye-wavefront is "{path}"; the file of --eye-wavefront names no eye' in ended.stderr
+    assert "expected --eye-wavefront-left FILE" in ended.stderr
 
 
 def test_each_eye_has_its_wavefront_of_the_command_line(scene, write):
