@@ -8,6 +8,7 @@ status is 1 if a scene is further off than its threshold.
 
 import argparse
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -53,6 +54,7 @@ def main() -> None:
             rows = compare_files(arguments, Path(folder))
         else:
             rows = compare_features(arguments.scenes, arguments.samples, Path(folder))
+            shutil.copy(Path(folder) / "blender.log", OUT / "compare.log")
     for row in rows:
         print(line_of(row))
     write_csv(OUT / "compare.csv", rows)

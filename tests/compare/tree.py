@@ -7,7 +7,12 @@ FORMER_NODES = {"BsdfSheen": "BsdfVelvet"}
 
 # What Blender 4 starts nodes with, and a Blender before otherwise.
 STARTING_INPUTS = {"BsdfAnisotropic": {"Anisotropy": 0.0}}
-STARTING_PROPERTIES = {"BsdfPrincipled": {"distribution": "MULTI_GGX"}}
+_MULTIPLE = {"distribution": "MULTI_GGX"}
+STARTING_PROPERTIES = {
+    "BsdfPrincipled": _MULTIPLE,
+    "BsdfAnisotropic": _MULTIPLE,
+    "BsdfGlass": _MULTIPLE,
+}
 
 # What a socket was called before Blender 4.0 (by identifier).
 FORMER_SOCKETS = {
