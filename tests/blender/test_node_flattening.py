@@ -219,6 +219,10 @@ def test_the_active_output_of_a_group_counts(material, group):
     assert color_of(material).source.identifier == "Ray Length"
 
 
+@pytest.mark.skipif(
+    hasattr(bpy.types.Material, "inline_shader_nodes"),
+    reason="this Blender flattens groups itself",
+)
 def test_a_group_without_a_tree_leaves_the_sockets_own_value(material):
     diffuse = surface(material, "ShaderNodeBsdfDiffuse")
     diffuse.inputs["Color"].default_value = (0.5, 0.25, 0.0, 1.0)
