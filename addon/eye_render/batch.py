@@ -4,6 +4,7 @@ import difflib
 import sys
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import pairwise
 from pathlib import Path
 
 import bpy
@@ -113,6 +114,16 @@ def check_report(read: Overrides, blenders_arguments: list[str]) -> None:
             f'--eye-report is "{read.report}", but nothing is rendered to report on; '
             "expected -f FRAME or -a before --"
         )
+
+
+def asks_for_one_frame(arguments: list[str]) -> bool:
+    """Whether Blender's own arguments render a frame, and no other."""
+    own = arguments[: arguments.index("--")] if "--" in arguments else arguments
+    frames = [
+        value for option, value in pairwise(own) if option in ("-f", "--render-frame")
+    ]  # such as 1, +1, 1,3 or 1..3
+    is_one = len(frames) == 1 and frames[0].lstrip("+-").isdigit()
+    return is_one and not {"-a", "--render-anim"} & set(own)
 
 
 def _unknown(option: str) -> str:

@@ -131,7 +131,8 @@ def _render_view(
         if session.lost_rays:
             _say(session.lost_rays)
         if overrides.report is not None:
-            _say(reporting.write_of_picture(overrides.report, observer, facts, view_name))
+            number = scene.frame_current if reporting.has_other_frames(engine) else None
+            _say(reporting.write_of_picture(overrides.report, observer, facts, view_name, number))
     return pupil
 
 

@@ -216,7 +216,8 @@ OPTIONS: dict[str, Option] = {
     ),
     "--eye-report": Option(
         "FILE.json",
-        "writes blur, contrast and focus of the eye, with a picture FILE.png",
+        "writes blur, contrast and focus of the eye, with a picture FILE.png; of an animation "
+        "FILE.0001.json for each frame",
         _report_path,
     ),
     "--eye-report-distances": Option(

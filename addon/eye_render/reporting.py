@@ -1,5 +1,6 @@
 """Reports on the observer of a camera: as the picture is rendered, or as the scene stands now."""
 
+import sys
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -32,14 +33,22 @@ def write(subject: "Subject", distances_m: Sequence[float], path: Path) -> "Writ
         raise EyeRenderError(f"There is no report: {error}") from error
 
 
-def write_of_picture(path: Path, observer, facts: dict[str, str | float], view: str) -> str:
-    """The report that --eye-report asks for, each stereo view's in a file of its own; the sentence
-    that says so. Of an animation, the last frame's stays."""
+def has_other_frames(engine: bpy.types.RenderEngine) -> bool:
+    """Whether what is rendered may be one of several frames. Blender takes -f, too, for an
+    animation, which has one frame if it is alone."""
+    return engine.is_animation and not batch.asks_for_one_frame(sys.argv)
+
+
+def write_of_picture(
+    path: Path, observer, facts: dict[str, str | float], view: str, frame: int | None
+) -> str:
+    """The report that --eye-report asks for, in a file of its own for each stereo view, and for
+    each frame where there may be several; the sentence that says so."""
     from .report import subject_of
 
     path = Path(bpy.path.abspath(str(path)))
-    if view:
-        path = path.with_stem(f"{path.stem}.{view}")
+    number = () if frame is None else (f"{frame:04d}",)  # as Blender numbers pictures
+    path = path.with_stem(".".join((path.stem, *number, *filter(None, [view]))))
     distances_m = batch.overrides.report_distances or ()
     written = write(subject_of(observer, facts), distances_m, path)
     return f"report: {path}" + (f"; {written.note}" if written.note else "")

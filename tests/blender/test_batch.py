@@ -239,7 +239,7 @@ def test_rays_that_the_eye_loses_are_told(run_blender, picture):
         ),
         (
             ("--eye-wavefront", "{wavefront}", "--eye-side", "left"),
-            '--eye-side is "left", --eye-wavefront is "{wavefront}"; the file of --eye-wavefront is',
+            '--eye-side is "left", --eye-wavefront is "{wavefront}"; the file of --eye-wavefront',
         ),
         (("--eye-worn", "OS -2.00"), '--eye-worn is "OS -2.00"; OS means the left eye'),
         (

@@ -194,6 +194,46 @@ camera.eye_render.left.text = "-5.00DS"
     assert far["left"] < 0.25 < far["right"]
 
 
+def test_each_frame_of_an_animation_has_its_report(run_blender, tmp_path):
+    script = """
+scene.frame_start, scene.frame_end = 3, 4
+scene.render.use_multiview = True
+camera.eye_render.pupil_mode = "MANUAL"
+for frame, pupil_mm in ((3, 2.0), (4, 6.0)):
+    camera.eye_render.pupil_mm = pupil_mm
+    camera.keyframe_insert("eye_render.pupil_mm", frame=frame)
+"""
+    # Blender's arguments are done in their order: both `-f 1` and the animation are rendered.
+    ended = run_blender("-a", "--", "--eye-report", str(tmp_path / "eye.json"), script=script)
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    pupils = {
+        file.name: json.loads(file.read_text())["pupil_mm"] for file in tmp_path.glob("eye.*.json")
+    }
+    assert pupils == {
+        f"eye.{frame}.{view}.json": pytest.approx(pupil_mm)
+        for frame, pupil_mm in (("0001", 2.0), ("0003", 2.0), ("0004", 6.0))
+        for view in ("left", "right")
+    }
+
+
+@pytest.mark.parametrize(
+    ("blenders", "is_one"),
+    [
+        (["-f", "1"], True),
+        (["--render-frame", "+12"], True),
+        (["-f", "1", "--", "-a"], True),
+        (["-f", "1..3"], False),
+        (["-f", "1,3"], False),
+        (["-f", "1", "-f", "2"], False),
+        (["-f", "1", "-a"], False),
+        (["-a"], False),
+        (["-P", "render.py"], False),
+    ],
+)
+def test_one_frame_is_told_from_several(blenders, is_one):
+    assert batch.asks_for_one_frame(["blender", "-b", *blenders]) == is_one
+
+
 @pytest.mark.parametrize(
     ("options", "sentence"),
     [
