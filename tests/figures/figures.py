@@ -16,10 +16,11 @@ from line_contrast import line_contrast, read_luminance  # noqa: E402
 from tools.blender import BUILD, OUT, is_newer, make_hall, run_blender  # noqa: E402
 from tools.sheet import Panel, Row, make_sheet  # noqa: E402
 
-# Eye model, what its row is called, and the pupil's formula where the pupil is automatic.
+# Eye model, what its row is called, and the pupil's formula where the pupil is automatic. From the
+# cornea to the pupil, 3.05 mm, 6 D become 2 % less.
 MODELS = (
-    ("paper", "the eye of Wang & Xiao 2013", "PAPER"),
-    ("paraxial", "the exact first-order eye", "WATSON_YELLOTT"),
+    ("paper", "the eye of Wang & Xiao 2013, refracted at the pupil", "PAPER"),
+    ("paraxial", "the exact first-order eye, refracted at the cornea", "WATSON_YELLOTT"),
 )
 SIZE_PX, SAMPLES = 256, 48
 RINGS = 8  # of Fig. 13's pattern: DistantFactor = AngleFactor

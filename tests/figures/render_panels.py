@@ -24,6 +24,8 @@ def set_observer(camera: bpy.types.Camera, view: dict) -> None:
     observer = camera.eye_render
     observer.model = view["model"].upper()
     observer.right.text = view["rx"]
+    # The paper's eye takes it as written at the pupil; this is as near as the other comes to that.
+    observer.vertex_mm = 0.0
     observer.pupil_mode = "AUTO" if view["pupil_mm"] is None else "MANUAL"
     if view["pupil_mm"] is None:
         observer.pupil_formula = view["pupil_formula"]

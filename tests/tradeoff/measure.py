@@ -48,7 +48,11 @@ class TradeoffEngine(bpy.types.RenderEngine):
 
     def _render(self, core_scene, picture: dict, scene) -> dict:
         observer = eyecore.Observer(
-            model=picture["model"], rx=self.job["rx"], pupil=self.job["pupil_mm"]
+            model=picture["model"],
+            rx=self.job["rx"],
+            # The paper's eye takes a prescription as it is written, so all take it there.
+            rx_plane="entrance_pupil",
+            pupil=self.job["pupil_mm"],
         )
         settings = eyecore.Settings(
             samples=picture["samples"],

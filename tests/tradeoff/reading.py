@@ -46,8 +46,9 @@ def _heading(setting: Setting) -> str:
     width, height = setting.window_px
     return f"""# Error against time: {setting.scene}
 
-The middle {width} x {height} pixels of a frame {setting.frame_px} wide, seen by {setting.rx} \
-through a pupil of {setting.pupil_mm:g} mm, relaxed. Times are of all of {setting.processors} \
+The middle {width} x {height} pixels of a frame {setting.frame_px} wide, seen by {setting.rx}, \
+which all models take at the pupil, through {setting.pupil_mm:g} mm, relaxed. Times are of all of \
+{setting.processors} \
 processors together, in processor seconds per million pixels, without export and preparation; \
 medians of {setting.repeats} interleaved repeats.
 
@@ -182,7 +183,8 @@ def _paper(points: list[Point]) -> str:
     # Noise falls with the square root of the samples.
     equal = exact.samples * (exact.rmse / paper.rmse_bias) ** 2
     return (
-        f"The paper's astigmatism is a bias of RMSE {paper.rmse_bias:.4f}. The exact eye's noise "
+        "Both eyes take the prescription at the pupil, so that they differ by their astigmatism "
+        f"alone: the paper's is a bias of RMSE {paper.rmse_bias:.4f}. The exact eye's noise "
         f"is less than that from about {equal:.0f} samples on; with fewer, noise hides it."
     )
 
