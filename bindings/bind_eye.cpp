@@ -4,11 +4,23 @@
 #include "bind_values.h"
 #include "module.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace eye_render {
 
 namespace {
+
+void require_finite(const std::string& name, const V2d& numbers)
+{
+    for (const double number : {numbers.x, numbers.y}) {
+        if (!std::isfinite(number)) {
+            throw std::invalid_argument(name + " is " + number_text(number) +
+                                        "; expected a finite number");
+        }
+    }
+}
 
 py::tuple rays(const EyeModel& eye,
                const Array<double>& chief_slope,
@@ -22,10 +34,26 @@ py::tuple rays(const EyeModel& eye,
                                     " rows and pupil_point_m " + std::to_string(points.size()) +
                                     "; expected the same number");
     }
+    require_range("wavelength_nm", wavelength_nm, min_wavelength_nm, max_wavelength_nm, "nm");
+    for (const V2d& slope : slopes) {
+        require_finite("chief_slope", slope);
+    }
+    // Points that are computed to lie on the pupil's edge may be off by their rounding.
+    constexpr double rounding = 1e-9;
+    const double radius_m = 0.5 * eye.pupil_diameter_m();
+    for (const V2d& point_m : points) {
+        require_finite("pupil_point_m", point_m);
+        if (point_m.length() > radius_m * (1.0 + rounding)) {
+            throw std::invalid_argument("pupil_point_m is " + number_text(point_m.length()) +
+                                        " m from the centre; expected 0 to " +
+                                        number_text(radius_m) + " m, the pupil's radius");
+        }
+    }
     const auto count = static_cast<py::ssize_t>(slopes.size());
     py::array_t<double> origin({count, py::ssize_t{3}});
     py::array_t<double> slope({count, py::ssize_t{2}});
     py::array_t<double> weight(count);
+    py::array_t<std::uint8_t> fate(count);
     for (std::size_t i = 0; i < slopes.size(); ++i) {
         const auto row = static_cast<py::ssize_t>(i);
         const EyeRay ray = eye.ray(slopes[i], points[i], wavelength_nm);
@@ -35,8 +63,10 @@ py::tuple rays(const EyeModel& eye,
         slope.mutable_at(row, 0) = ray.slope.x;
         slope.mutable_at(row, 1) = ray.slope.y;
         weight.mutable_at(row) = ray.weight;
+        fate.mutable_at(row) = static_cast<std::uint8_t>(
+            std::find(ray_fates.begin(), ray_fates.end(), ray.fate) - ray_fates.begin());
     }
-    return py::make_tuple(origin, slope, weight);
+    return py::make_tuple(origin, slope, weight, fate);
 }
 
 std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
@@ -81,6 +111,7 @@ void bind_eye(py::module_& m)
     using namespace py::literals;
 
     m.attr("EYE_MODELS") = names_of(eye_model_kinds);
+    m.attr("RAY_FATES") = names_of(ray_fates);
     m.attr("REFRACTION_ZEROS") = names_of(refraction_zeros);
     m.attr("AMPLITUDE_FORMULAS") = names_of(amplitude_formulas);
     m.attr("PUPIL_FORMULAS") = names_of(pupil_formulas);
@@ -106,18 +137,20 @@ void bind_eye(py::module_& m)
                        eye_keywords()));
     eye.def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a,
             "wavelength_nm"_a = reference_wavelength_nm,
-            "(origin_m (n, 3), slope (n, 2), weight (n,)) for chief slopes and pupil points (n, "
-            "2).")
+            "(origin_m (n, 3), slope (n, 2), weight (n,), fate (n,)) for chief slopes and pupil\n"
+            "points (n, 2); fates are indices of RAY_FATES. Of a lost ray the weight is 0.")
         .def("blur_ellipse", &blur_at, "distance_m"_a = std::numeric_limits<double>::infinity(),
-             "In closed form, of focus and astigmatism alone; spot_ellipse is of all aberrations.")
+             "The paraxial blur in closed form; spot_ellipse is of all aberrations.")
         .def("line_spread_arcmin", &line_spread_arcmin, "line_deg"_a,
              "distance_m"_a = std::numeric_limits<double>::infinity(),
-             "RMS width of a line's spread across itself, in closed form; line_deg is the line's\n"
+             "RMS width of a line's paraxial spread across itself, in closed form; line_deg is "
+             "the line's\n"
              "own direction, counter-clockwise from +X as the patient sees it.")
         .def_property_readonly(
             "far_point_m", [](const EyeModel& eye) { return far_point_m(eye); },
-            "Distance of the mean conjugate of the retina; infinite for an emmetrope, negative\n"
-            "behind the eye of a hyperope.")
+            "Distance of the smallest RMS spot on the axis at 555 nm, as in clear_ranges; "
+            "infinite\n"
+            "for an emmetrope, negative behind the eye of a hyperope.")
         .def_property_readonly("max_accommodation_d", &EyeModel::max_accommodation_d,
                                "The most that the model has, whatever the age allows.")
         .def("__repr__", &eye_text)
@@ -140,7 +173,8 @@ void bind_eye(py::module_& m)
         "formula"_a, "luminance_cd_m2"_a, "area_deg2"_a = usual_light.area_deg2,
         "age_years"_a = usual_light.age_years, "eyes"_a = usual_light.eyes,
         "Diameter of the entrance pupil, clamped to 1.5 to 9 mm; luminance is taken as 1e-6 to\n"
-        "1e6 cd/m2 and age as 20 to 83 years. ValueError for a negative luminance.");
+        "1e6 cd/m2 (WINN: 9 to 4400) and age as 20 to 83 years. ValueError for a luminance that\n"
+        "is negative or NaN.");
     m.def(
         "accommodation_amplitude_d",
         [](double age_years, const std::string& formula) {

@@ -25,17 +25,6 @@ Wavefront population(double pupil_mm, const std::string& eye)
         named<EyeSide>("eye", eye, {{"OD", EyeSide::Right}, {"OS", EyeSide::Left}}));
 }
 
-std::string wavefront_text(const Wavefront& wavefront)
-{
-    std::string list;
-    for (const double coefficient_um : wavefront.coefficients_um) {
-        list += (list.empty() ? "" : ", ") + number_text(coefficient_um);
-    }
-    return "Wavefront([" + list +
-           "], pupil_mm=" + number_text(mm_from_m(wavefront.pupil_diameter_m)) +
-           ", wavelength_nm=" + number_text(wavefront.wavelength_nm) + ")";
-}
-
 }  // namespace
 
 void bind_wavefront(py::module_& m)

@@ -17,6 +17,7 @@ PASSES: list[tuple[str, int, str]]  # name, channels, channel names
 # I of sample ranges, with weights W, make the whole picture: sum(W * I) / sum(W).
 SAMPLE_WEIGHT: tuple[str, int, str]
 EYE_MODELS: list[str]
+RAY_FATES: list[str]  # what becomes of a ray: Eye.rays numbers them
 REFRACTION_ZEROS: list[str]
 AMPLITUDE_FORMULAS: list[str]
 PUPIL_FORMULAS: list[str]
@@ -111,7 +112,9 @@ class Eye:
     ) -> None: ...
     def rays(
         self, chief_slope: ArrayLike, pupil_point_m: ArrayLike, wavelength_nm: float = 555.0
-    ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]: ...
+    ) -> tuple[
+        NDArray[np.float64], NDArray[np.float64], NDArray[np.float64], NDArray[np.uint8]
+    ]: ...  # origin_m, slope, weight, index of RAY_FATES
     def blur_ellipse(self, distance_m: float = ...) -> BlurEllipse: ...
     def line_spread_arcmin(self, line_deg: float, distance_m: float = ...) -> float: ...
     def spot(

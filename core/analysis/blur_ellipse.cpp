@@ -14,7 +14,7 @@ BlurEllipse blur_ellipse(const PowerMatrix& error_d, double pupil_diameter_m)
 
     const double mean_d = error_d.mean_d();
     const double astigmatism_d = error_d.astigmatism_d();
-    const double major_d = std::abs(mean_d) + astigmatism_d;
+    const double major_d = error_d.largest_magnitude_d();
     const double minor_d = std::abs(std::abs(mean_d) - astigmatism_d);
     BlurEllipse blur;
     blur.major_arcmin = arcmin_from_rad(pupil_diameter_m * major_d);

@@ -75,4 +75,12 @@ ThroughFocus through_focus(const PupilTrace& trace)
     return {.best_focus_d = -(m.so_xx + m.so_yy) / oo, .conjugate_d = regression(m)};
 }
 
+ThroughFocus through_focus(const EyeModel& eye)
+{
+    // Regression needs fewer rays than a picture: an eye without higher aberrations is exact with
+    // any number of them.
+    constexpr std::uint32_t rays = 4096;
+    return through_focus(trace_pupil(eye, {.samples = rays}));
+}
+
 }  // namespace eye_render

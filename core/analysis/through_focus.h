@@ -21,4 +21,7 @@ struct ThroughFocus {
 
 [[nodiscard]] ThroughFocus through_focus(const PupilTrace& trace);
 
+// On the axis at 555 nm.
+[[nodiscard]] ThroughFocus through_focus(const EyeModel& eye);
+
 }  // namespace eye_render

@@ -23,17 +23,6 @@ std::string range_text(const SampleRange& range)
     return std::to_string(range.first) + ":" + std::to_string(range.last);
 }
 
-// "6 mm, 555 nm: 0 0 0 0.1 ...", micrometres in OSA order.
-std::string wavefront_text(const Wavefront& wavefront)
-{
-    std::string text = number_text(mm_from_m(wavefront.pupil_diameter_m)) + " mm, " +
-                       number_text(wavefront.wavelength_nm) + " nm:";
-    for (const double coefficient_um : wavefront.coefficients_um) {
-        text += ' ' + number_text(coefficient_um);
-    }
-    return text;
-}
-
 bool has_second_order(const Wavefront& wavefront)
 {
     const std::vector<double>& c = wavefront.coefficients_um;
@@ -86,6 +75,14 @@ void require_valid(const Observer& observer)
     if (observer.eye.worn) {
         eye_render::require_valid(*observer.eye.worn);
     }
+}
+
+// How a schematic eye's rays are found.
+std::string trace_text(const EyeDescription& eye, const std::optional<double>& fitted_field_deg)
+{
+    if (fitted_field_deg) return "fitted over " + number_text(*fitted_field_deg) + " degrees";
+    if (eye.exact_trace) return "exact";
+    return "exact: no fit within " + number_text(max_fit_error_arcmin) + " arcmin";
 }
 
 // Whether something in the scene may give light; a picture counts as light unseen.
@@ -153,6 +150,19 @@ std::vector<std::string> Engine::warnings() const
     if (!eye_.pupil_clamps.empty()) {
         all.push_back("pupil: " + joined(eye_.pupil_clamps));
     }
+    const EyeDescription& eye = observer_.eye;
+    if (is_schematic(eye.model) && !eye.exact_trace && !eye_.model->fitted_field_deg()) {
+        all.push_back("the rays of the eye '" + std::string(to_string(eye.model)) + "' are " +
+                      trace_text(eye, std::nullopt) +
+                      " was found at this pupil and accommodation, so rendering takes longer");
+    }
+    if (settings_.stiles_crawford != StilesCrawfordMode::Off &&
+        m_from_mm(eye_.pupil_mm) > 2.0 * max_measured_radius_m) {
+        all.push_back("the Stiles-Crawford effect is known to " +
+                      number_text(mm_from_m(max_measured_radius_m)) +
+                      " mm from the pupil's centre; of the pupil of " +
+                      number_text(eye_.pupil_mm) + " mm the rest is extrapolated");
+    }
     if (observer_.eye.wavefront && has_second_order(*observer_.eye.wavefront)) {
         all.emplace_back(
             "the wavefront's own defocus and astigmatism (OSA indices 3 to 5) are left "
@@ -211,8 +221,12 @@ std::map<std::string, Fact> Engine::facts() const
     }
     if (is_schematic(observer_.eye.model)) {
         entries["refraction_zero"] = std::string(to_string(observer_.eye.refraction_zero));
-        entries["exact_trace"] = observer_.eye.exact_trace ? "yes" : "no";
-        entries["fit_residual_arcmin"] = eye_.model->approximation_arcmin();
+        const auto fitted_field_deg = eye_.model->fitted_field_deg();
+        entries["exact_trace"] = fitted_field_deg ? "no" : "yes";
+        entries["trace"] = trace_text(observer_.eye, fitted_field_deg);
+        if (fitted_field_deg) {
+            entries["fit_residual_arcmin"] = eye_.model->approximation_arcmin();
+        }
     }
     if (observer_.eye.model == EyeModelKind::Wavefront) {
         entries["wavefront"] =

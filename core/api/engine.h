@@ -32,7 +32,7 @@ public:
     [[nodiscard]] const RenderPlan& plan() const { return plan_; }
     [[nodiscard]] const ObserverEye& eye() const { return eye_; }
 
-    // Sentences for the user: from the scene, and about clamps of the eye.
+    // Sentences for the user: from the scene, and about what the eye could not do as asked.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
     // One line on the pupil: how wide, and what made it so.

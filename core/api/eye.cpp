@@ -1,5 +1,6 @@
 #include "api/eye.h"
 
+#include "analysis/through_focus.h"
 #include "base/error.h"
 #include "base/units.h"
 
@@ -109,8 +110,26 @@ double line_spread_arcmin(const EyeModel& eye, double line_deg, double distance_
                                   eye.pupil_diameter_m(), line_deg);
 }
 
+std::string wavefront_text(const Wavefront& wavefront)
+{
+    std::string list;
+    for (const double coefficient_um : wavefront.coefficients_um) {
+        list += (list.empty() ? "" : ", ") + number_text(coefficient_um);
+    }
+    return "Wavefront([" + list +
+           "], pupil_mm=" + number_text(mm_from_m(wavefront.pupil_diameter_m)) +
+           ", wavelength_nm=" + number_text(wavefront.wavelength_nm) + ")";
+}
+
 double far_point_m(const EyeModel& eye)
 {
+    constexpr double rounding_d = 1e-9;  // a million kilometres
+    const auto rounded_distance_m = [](double vergence_d) {
+        return distance_m(std::abs(vergence_d) < rounding_d ? 0.0 : vergence_d);
+    };
+    const ThroughFocus focus = through_focus(eye);
+    if (focus.best_focus_d) return rounded_distance_m(focus.conjugate_d.mean_d());
+    // No light through a closed pupil: where its blur would be least if it opened a little.
     // Newton's method: at once for a bare eye, whose error falls by 1 D for each dioptre of the
     // object's vergence; behind a lens it is nearly so.
     double vergence_d = 0.0;
@@ -118,16 +137,16 @@ double far_point_m(const EyeModel& eye)
         const double error_d = eye.error_d(vergence_d).mean_d();
         vergence_d += error_d / (error_d - eye.error_d(vergence_d + 1.0).mean_d());
     }
-    constexpr double rounding_d = 1e-9;  // a million kilometres
-    return distance_m(std::abs(vergence_d) < rounding_d ? 0.0 : vergence_d);
+    return rounded_distance_m(vergence_d);
 }
 
 double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions)
 {
-    if (conditions.luminance_cd_m2 < 0.0) {
+    // Written so that NaN is refused.
+    if (!(conditions.luminance_cd_m2 >= 0.0)) {
         throw std::invalid_argument("luminance_cd_m2 is " +
                                     number_text(conditions.luminance_cd_m2) +
-                                    " cd/m2; expected 0 or more");
+                                    " cd/m2; expected 0 cd/m2 or more");
     }
     return mm_from_m(pupil_size(formula, conditions).diameter_m);
 }

@@ -17,6 +17,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace eye_render {
@@ -58,19 +59,23 @@ struct EyeDescription {
 // std::invalid_argument for other distances.
 [[nodiscard]] double object_vergence_d(double distance_m);
 
-// The blur of a point at that distance.
+// The paraxial blur of a point at that distance.
 [[nodiscard]] BlurEllipse blur_at(const EyeModel& eye, double distance_m);
 
-// Root mean square width of a line's spread across itself; `line_deg` is the line's own direction,
-// counter-clockwise from +X as the patient sees.
+// Paraxial root mean square width of a line's spread across itself; `line_deg` is the line's own
+// direction, counter-clockwise from +X as the patient sees.
 [[nodiscard]] double line_spread_arcmin(const EyeModel& eye, double line_deg, double distance_m);
 
-// Where the eye's mean error vanishes: infinite for an emmetrope, negative behind a hyperope's
-// eye.
+// Where a point's blur through the whole pupil is least, for a toric eye in the mean, at 555 nm:
+// infinite for an emmetrope, negative behind a hyperope's eye. As in clear_ranges(); without
+// aberrations it is the paraxial far point, and so it is for a closed pupil.
 [[nodiscard]] double far_point_m(const EyeModel& eye);
 
+// As Python writes it: "Wavefront([0, 0, 0, 0.1], pupil_mm=6, wavelength_nm=555)".
+[[nodiscard]] std::string wavefront_text(const Wavefront& wavefront);
+
 // Diameter of the entrance pupil, clamped as `pupil_size` says. Throws std::invalid_argument as it
-// does, and for a negative luminance: no report tells of that clamp here.
+// does, and for a luminance that is negative or NaN: no report tells of those clamps here.
 [[nodiscard]] double pupil_diameter_mm(PupilFormula formula, const PupilConditions& conditions);
 
 }  // namespace eye_render

@@ -46,13 +46,6 @@ PupilTrace trace(const EyeModel& eye, const PointView& view)
                              .samples = view.samples});
 }
 
-// Regression needs fewer rays than a picture: an eye without higher aberrations is exact with any
-// number of them.
-ThroughFocus focus_of(const EyeModel& eye)
-{
-    return through_focus(trace_pupil(eye, {.samples = 4096}));
-}
-
 Spot spot(const EyeModel& eye, const PointView& view)
 {
     const double vergence_d = object_vergence_d(view.distance_m);
@@ -123,7 +116,7 @@ std::vector<double> through_focus_arcmin(const EyeModel& eye,
 
 double pupil_mm(const EyeModel& eye) { return mm_from_m(eye.pupil_diameter_m()); }
 
-std::optional<double> best_focus_d(const EyeModel& eye) { return focus_of(eye).best_focus_d; }
+std::optional<double> best_focus_d(const EyeModel& eye) { return through_focus(eye).best_focus_d; }
 
 bool is_diffraction_limited(const EyeModel& eye, const PointView& view)
 {
@@ -134,7 +127,8 @@ bool is_diffraction_limited(const EyeModel& eye, const PointView& view)
 
 std::vector<ClearRange> clear_ranges(const EyeModel& relaxed, const EyeModel& accommodated)
 {
-    return clear_ranges(focus_of(relaxed).conjugate_d, focus_of(accommodated).conjugate_d);
+    return clear_ranges(through_focus(relaxed).conjugate_d,
+                        through_focus(accommodated).conjugate_d);
 }
 
 std::vector<double> diffraction_mtf(std::span<const double> frequencies_cpd,

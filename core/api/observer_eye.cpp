@@ -1,5 +1,7 @@
 #include "api/observer_eye.h"
 
+#include "analysis/least_blur.h"
+#include "analysis/through_focus.h"
 #include "base/error.h"
 #include "base/units.h"
 #include "eye/field_luminance.h"
@@ -42,6 +44,38 @@ double focus_distance_m(const Observer& observer,
     return std::numeric_limits<double>::infinity();
 }
 
+// The accommodation that the object takes, within the amplitude and, as far as its focus alone
+// goes, without that limit: negative for what lies beyond the far point.
+struct Accommodation {
+    double least_blur_d = 0.0;
+    double wanted_d = 0.0;
+};
+
+Accommodation accommodation_for(const Observer& observer,
+                                const ObserverEye& eye,
+                                const EyeModel& relaxed_eye)
+{
+    const double object_vergence_d = 1.0 / eye.focus_distance_m;
+    if (relaxed_eye.is_first_order() || eye.pupil_mm == 0.0) {
+        const PowerMatrix error_d = relaxed_eye.error_d(object_vergence_d);
+        return {best_accommodation_d(error_d, eye.amplitude_d), 0.0 - error_d.mean_d()};
+    }
+    Observer traced = observer;
+    traced.eye.exact_trace = true;  // a fit takes longer than the few rays that are asked for
+    const auto eye_at = [&](double accommodation_d) {
+        return eye_in_state(traced, eye.pupil_mm, accommodation_d);
+    };
+    const double least_blur_d =
+        least_blur_accommodation_d(eye_at, object_vergence_d, eye.amplitude_d);
+    if (least_blur_d > 0.0 && least_blur_d < eye.amplitude_d) return {least_blur_d, least_blur_d};
+    // At an end, what its best focus then lacks; less than the search is exact to is nothing.
+    constexpr double search_d = 0.02;
+    const double lacking_d =
+        object_vergence_d -
+        through_focus(*eye_at(least_blur_d)).best_focus_d.value_or(object_vergence_d);
+    return {least_blur_d, least_blur_d + (std::abs(lacking_d) < search_d ? 0.0 : lacking_d)};
+}
+
 void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& relaxed_eye)
 {
     const double of_age_d =
@@ -50,9 +84,8 @@ void accommodate(ObserverEye& eye, const Observer& observer, const EyeModel& rel
     if (observer.focus == FocusMode::Relaxed) {
         return;
     }
-    const PowerMatrix error_d = relaxed_eye.error_d(1.0 / eye.focus_distance_m);
-    const double wanted_d = -error_d.mean_d();
-    eye.accommodation_d = best_accommodation_d(error_d, eye.amplitude_d);
+    const auto [least_blur_d, wanted_d] = accommodation_for(observer, eye, relaxed_eye);
+    eye.accommodation_d = least_blur_d;
     const std::string object = std::isfinite(eye.focus_distance_m)
                                    ? "at " + number_text(eye.focus_distance_m) + " m"
                                    : "far away";

@@ -32,9 +32,9 @@ inline constexpr std::array amplitude_formulas{
     double age_years,
     AmplitudeFormula formula = AmplitudeFormula::HofstetterMean);
 
-// The accommodation, 0 to `amplitude_d`, that blurs an object least which the relaxed eye sees
-// with the error `relaxed_error_d`: it puts the circle of least confusion on the retina, as far as
-// the amplitude allows.
+// The accommodation, 0 to `amplitude_d`, by which an eye without higher aberrations blurs an
+// object least that it sees with the error `relaxed_error_d` when relaxed: it puts the circle of
+// least confusion on the retina, as far as the amplitude allows.
 [[nodiscard]] double best_accommodation_d(const PowerMatrix& relaxed_error_d, double amplitude_d);
 
 // Distance of a vergence: infinite for 0, negative behind the eye.

@@ -18,13 +18,7 @@ PowerMatrix rx_as_written(const EyeSpec& spec)
         return power_matrix_camera(*rx);
     }
     const auto& power = std::get<PowerMatrix>(spec.rx);
-    // What any valid prescription can have, in either form.
-    constexpr double max_mean_d = max_sphere_d + 0.5 * max_cylinder_d;
-    constexpr double rounding = 1.0 + 1e-12;
-    require_range("mean sphere of rx", power.mean_d(), -max_mean_d * rounding,
-                  max_mean_d * rounding, "D");
-    require_range("cylinder of rx", 2.0 * power.astigmatism_d(), 0.0, max_cylinder_d * rounding,
-                  "D");
+    require_prescribable(power, "rx");
     return power;
 }
 

@@ -42,8 +42,8 @@ inline constexpr std::array rx_planes{RxPlane::Spectacle, RxPlane::Cornea, RxPla
 // "spectacle", "cornea", "entrance_pupil".
 [[nodiscard]] std::string_view to_string(RxPlane plane);
 
+// A schematic eye's iris, or the edge of its cornea, may let less through.
 inline constexpr double max_pupil_diameter_m = 9e-3;
-// Less in the schematic eyes whose surfaces do not allow it.
 
 struct EyeSpec {
     EyeModelKind model = EyeModelKind::Paraxial;

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace eye_render {
@@ -72,6 +73,10 @@ public:
     // Whether its rays depend on the wavelength.
     [[nodiscard]] virtual bool is_chromatic() const { return true; }
 
+    // Whether at 555 nm its rays do over the whole pupil what retinal_conjugate_d() says of those
+    // next to the axis, so that the mean error is what the blur is least without.
+    [[nodiscard]] virtual bool is_first_order() const { return true; }
+
     // The most accommodation that the model has, whatever the person's age allows.
     [[nodiscard]] virtual double max_accommodation_d() const
     {
@@ -81,6 +86,9 @@ public:
     // The largest angle by which its rays may differ from those of the eye it stands for, within
     // 20 degrees of the axis: 0 for a model that evaluates its own definition.
     [[nodiscard]] virtual double approximation_arcmin() const { return 0.0; }
+
+    // How far from the axis that approximation is used; nothing for a model that makes none.
+    [[nodiscard]] virtual std::optional<double> fitted_field_deg() const { return std::nullopt; }
 };
 
 }  // namespace eye_render

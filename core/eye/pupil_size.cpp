@@ -12,12 +12,19 @@ namespace eye_render {
 
 namespace {
 
-constexpr double min_luminance_cd_m2 = 1e-6;
-constexpr double max_luminance_cd_m2 = 1e6;
 constexpr double min_age_years = 20.0;
 constexpr double max_age_years = 83.0;
 constexpr double min_diameter_mm = 1.5;
 constexpr double max_diameter_mm = 9.0;
+
+struct Limits {
+    double minimum;
+    double maximum;
+};
+
+// Of the data of Winn et al.: their cubic leads anywhere beyond.
+constexpr Limits winn_luminance_cd_m2{9.0, 4400.0};
+constexpr Limits other_luminance_cd_m2{1e-6, 1e6};
 
 // Of the corneal flux density L a, cd/m^2 deg^2.
 double stanley_davies_mm(double flux)
@@ -35,12 +42,13 @@ double watson_yellott_mm(const PupilConditions& c)
     return young_mm + (c.age_years - reference_age_years) * (0.02132 - 0.009562 * young_mm);
 }
 
-// Watson & Yellott's polynomial through the data of Winn et al., which span 9 to 4400 cd/m^2.
+// Watson & Yellott's polynomial through the data of Winn et al.
 double winn_mm(const PupilConditions& c)
 {
     constexpr std::array slope{-0.024501, -0.0368073, 0.0210892, -0.00281557};
     constexpr std::array intercept{6.9039, 2.7765, -1.909, 0.25599};
-    const double log_l = std::log10(std::clamp(c.luminance_cd_m2, 9.0, 4400.0));
+    const double log_l = std::log10(
+        std::clamp(c.luminance_cd_m2, winn_luminance_cd_m2.minimum, winn_luminance_cd_m2.maximum));
     double diameter_mm = 0.0;
     for (std::size_t k = slope.size(); k-- > 0;) {
         diameter_mm = diameter_mm * log_l + intercept[k] + c.age_years * slope[k];
@@ -53,7 +61,7 @@ bool uses_age(PupilFormula formula)
     return formula == PupilFormula::WatsonYellott || formula == PupilFormula::Winn;
 }
 
-// Clamps, and says so when that changes the value.
+// Clamps, and says so when that changes the value. NaN is taken as the least.
 double clamped(double value,
                double minimum,
                double maximum,
@@ -61,7 +69,7 @@ double clamped(double value,
                std::string_view unit,
                std::vector<std::string>& clamps)
 {
-    const double result = std::clamp(value, minimum, maximum);
+    const double result = std::isnan(value) ? minimum : std::clamp(value, minimum, maximum);
     if (result != value) {
         clamps.push_back(std::string(name) + " " + number_text(value) + " " + std::string(unit) +
                          " taken as " + number_text(result) + " " + std::string(unit));
@@ -118,16 +126,15 @@ PupilSize pupil_size(PupilFormula formula, const PupilConditions& conditions)
         throw std::invalid_argument("eyes is " + std::to_string(conditions.eyes) +
                                     "; expected 1 or 2");
     }
-    for (const auto& [name, value] : {std::pair{"luminance_cd_m2", conditions.luminance_cd_m2},
-                                      std::pair{"age_years", conditions.age_years}}) {
-        if (std::isnan(value)) {
-            throw std::invalid_argument(std::string(name) + " is nan; expected a number");
-        }
+    if (std::isnan(conditions.age_years)) {
+        throw std::invalid_argument("age_years is nan; expected a number");
     }
+    const Limits& luminance =
+        formula == PupilFormula::Winn ? winn_luminance_cd_m2 : other_luminance_cd_m2;
     PupilSize result;
     PupilConditions usable = conditions;
-    usable.luminance_cd_m2 = clamped(conditions.luminance_cd_m2, min_luminance_cd_m2,
-                                     max_luminance_cd_m2, "luminance", "cd/m2", result.clamps);
+    usable.luminance_cd_m2 = clamped(conditions.luminance_cd_m2, luminance.minimum,
+                                     luminance.maximum, "luminance", "cd/m2", result.clamps);
     if (uses_age(formula)) {
         usable.age_years = clamped(conditions.age_years, min_age_years, max_age_years, "age",
                                    "years", result.clamps);

@@ -45,19 +45,21 @@ struct PupilConditions {
 };
 
 // The formula as published, millimetres, wherever that leads: Holladay's tends to 0 in bright
-// light, Blackie & Howland's turns over. Luminance above 0.
+// light, Blackie & Howland's turns over, Winn's stays what it is at the
+// ends of its data. Luminance above 0.
 [[nodiscard]] double published_pupil_diameter_mm(PupilFormula formula,
                                                  const PupilConditions& conditions);
 
 struct PupilSize {
     double diameter_m = 0.0;
-    // What was clamped, one sentence each: luminance to 1e-6..1e6 cd/m^2, age (where the formula
+    // What was clamped, one sentence each: luminance to 1e-6..1e6 cd/m^2 or, for Winn, to the
+    // 9..4400 cd/m^2 of the data (NaN counts as the least), age (where the formula
     // uses it) to 20..83 years, diameter to 1.5..9 mm.
     std::vector<std::string> clamps;
 };
 
-// Throws std::invalid_argument for NaN, an area that is not above 0 and finite, or eyes other than
-// 1 and 2. Everything else has an answer.
+// Throws std::invalid_argument for an age of NaN, an area that is not above 0 and finite, or eyes
+// other than 1 and 2. Everything else has an answer.
 [[nodiscard]] PupilSize pupil_size(PupilFormula formula, const PupilConditions& conditions);
 
 }  // namespace eye_render

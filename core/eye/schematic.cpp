@@ -23,7 +23,6 @@ namespace eye_render {
 
 namespace {
 
-constexpr double max_fit_error_arcmin = 0.02;
 constexpr std::array fitted_fields_deg{40.0, 30.0, 20.0, 10.0};
 
 RayFate ray_fate(TraceFate fate)
@@ -83,7 +82,10 @@ public:
             maps_ = fitted_maps(body_.system, 0.5 * pupil_diameter_m_, field_deg);
             if (!maps_) continue;
             fit_error_arcmin_ = largest_fit_error_arcmin();
-            if (fit_error_arcmin_ <= max_fit_error_arcmin) return;
+            if (fit_error_arcmin_ <= max_fit_error_arcmin) {
+                fitted_field_deg_ = field_deg;
+                return;
+            }
         }
         maps_.reset();
         fit_error_arcmin_ = 0.0;
@@ -113,6 +115,13 @@ public:
     [[nodiscard]] double max_accommodation_d() const override { return body_.max_accommodation_d; }
 
     [[nodiscard]] double approximation_arcmin() const override { return fit_error_arcmin_; }
+
+    [[nodiscard]] std::optional<double> fitted_field_deg() const override
+    {
+        return fitted_field_deg_;
+    }
+
+    [[nodiscard]] bool is_first_order() const override { return false; }
 
 private:
     [[nodiscard]] EyeRay exact_ray(const V2d& object_sines,
@@ -211,6 +220,7 @@ private:
     double pupil_diameter_m_;
     std::optional<FittedMaps> maps_{};
     double fit_error_arcmin_ = 0.0;
+    std::optional<double> fitted_field_deg_{};
 };
 
 }  // namespace

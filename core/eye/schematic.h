@@ -30,6 +30,8 @@ inline constexpr std::array refraction_zeros{RefractionZero::Paraxial,
 // "paraxial", "minimum_rms_spot".
 [[nodiscard]] std::string_view to_string(RefractionZero zero);
 
+inline constexpr double max_fit_error_arcmin = 0.02;
+
 struct SchematicSpec {
     SchematicEyeKind kind = SchematicEyeKind::Navarro;
     PowerMatrix rx_entrance_pupil_d{};  // camera frame
@@ -49,7 +51,9 @@ struct SchematicSpec {
 //
 // Unless `exact_trace`, rays up to 40 degrees from the axis are fitted, or in a narrower field as
 // far as that does them right: over this field, the pupil and the visible wavelengths
-// approximation_arcmin(), which is found by comparison when the eye is made, is at most 0.02.
+// approximation_arcmin(), which is found by comparison when the eye is made, is at most
+// `max_fit_error_arcmin`. Without any such field, which fitted_field_deg() tells, every ray is
+// traced exactly.
 //
 // Throws std::invalid_argument when no such eye exists.
 [[nodiscard]] std::unique_ptr<EyeModel> make_schematic_eye(const SchematicSpec& spec);

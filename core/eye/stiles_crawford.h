@@ -38,6 +38,9 @@ struct ConeDirectivity {
     [[nodiscard]] double efficiency(const V2d& pupil_point_m) const;
 };
 
+// How far from the pupil's centre the fit goes. Farther out, eta falls on as it does.
+inline constexpr double max_measured_radius_m = 3e-3;
+
 // The mean peak lies 0.51 mm towards the nose and 0.20 mm up. Without one side, where the nose
 // would be unknown, it is the mean of both eyes: on the vertical meridian.
 [[nodiscard]] ConeDirectivity cone_directivity(EyeSide eye);

@@ -49,6 +49,8 @@ public:
 
     [[nodiscard]] double pupil_diameter_m() const override { return pupil_diameter_m_; }
 
+    [[nodiscard]] bool is_first_order() const override { return false; }
+
 private:
     PowerMatrix retinal_conjugate_d_;
     double pupil_diameter_m_;

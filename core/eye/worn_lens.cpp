@@ -41,8 +41,10 @@ public:
 
     // With d the lens's distance, a = 1 - d X and F its power, light from X reaches the pupil with
     // the vergence (I - d a F)^-1 (X I - a F): no case of its own for X = 1/d, an object at the
-    // lens. What is nearer than that is not seen through it, and counts as a = 0. So 0 <= a <= 1,
-    // and the vergence is singular only for a lens whose focus is the pupil.
+    // lens. What is nearer than that is not seen through it, and counts as a = 0. An object
+    // has X >= 0, so 0 <= a <= 1, and the vergence is singular only for a lens whose focus is the
+    // pupil. For X < 0, light that converges to behind the pupil, as where a hyperope's far point
+    // is sought, a is more than 1, and a lens is singular that focuses it in the pupil.
     [[nodiscard]] PowerMatrix error_d(double object_vergence_d) const override
     {
         const double d = lens_.distance_m;
@@ -66,6 +68,13 @@ public:
     [[nodiscard]] double pupil_diameter_m() const override { return eye_->pupil_diameter_m(); }
 
     [[nodiscard]] bool is_chromatic() const override { return eye_->is_chromatic(); }
+
+    [[nodiscard]] bool is_first_order() const override { return eye_->is_first_order(); }
+
+    [[nodiscard]] std::optional<double> fitted_field_deg() const override
+    {
+        return eye_->fitted_field_deg();
+    }
 
     [[nodiscard]] double max_accommodation_d() const override
     {
@@ -94,16 +103,11 @@ private:
 void require_valid(const WornLens& lens)
 {
     constexpr double max_distance_m = max_vertex_m + cornea_to_entrance_pupil_m;
-    // The matrix of the strongest prescription may be stronger by a rounding.
     constexpr double rounded_up = 1.0 + 1e-12;
-    constexpr double max_mean_d = rounded_up * (max_sphere_d + 0.5 * max_cylinder_d);
     constexpr double max_prism_slope = rounded_up * 0.01 * max_prism_pd;
     require_range("distance of the worn lens", mm_from_m(lens.distance_m), 0.0,
                   mm_from_m(max_distance_m), "mm");
-    require_range("mean sphere of the worn lens", lens.power_d.mean_d(), -max_mean_d, max_mean_d,
-                  "D");
-    require_range("cylinder of the worn lens", 2.0 * lens.power_d.astigmatism_d(), 0.0,
-                  rounded_up * max_cylinder_d, "D");
+    require_prescribable(lens.power_d, "the worn lens");
     for (const double slope : {lens.prism_slope.x, lens.prism_slope.y}) {
         require_range("prism slope of the worn lens", slope, -max_prism_slope, max_prism_slope,
                       "");

@@ -30,6 +30,13 @@ struct PowerMatrix {
     // Half the cylinder, never negative: the eigenvalues are mean_d() +- astigmatism_d().
     [[nodiscard]] double astigmatism_d() const { return std::hypot(j0_d(), j45_d()); }
 
+    // The larger of the eigenvalues' magnitudes. As an error of an eye, times the pupil's diameter,
+    // it is the major diameter of the blur.
+    [[nodiscard]] double largest_magnitude_d() const
+    {
+        return std::abs(mean_d()) + astigmatism_d();
+    }
+
     [[nodiscard]] V2d operator*(const V2d& p) const
     {
         return {xx_d * p.x + xy_d * p.y, xy_d * p.x + yy_d * p.y};

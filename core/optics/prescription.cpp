@@ -27,6 +27,16 @@ void require_valid(const Prescription& rx)
     require_range("base_up_pd", rx.base_up_pd, -max_prism_pd, max_prism_pd, "prism dioptres");
 }
 
+void require_prescribable(const PowerMatrix& power, std::string_view name)
+{
+    constexpr double rounded_up = 1.0 + 1e-12;
+    constexpr double max_mean_d = rounded_up * (max_sphere_d + 0.5 * max_cylinder_d);
+    const std::string of = " of " + std::string(name);
+    require_range("mean sphere" + of, power.mean_d(), -max_mean_d, max_mean_d, "D");
+    require_range("cylinder" + of, 2.0 * power.astigmatism_d(), 0.0, rounded_up * max_cylinder_d,
+                  "D");
+}
+
 V2d prism_slope(const Prescription& rx)
 {
     constexpr double slope_per_pd = 0.01;
@@ -100,6 +110,7 @@ double camera_angle_deg(double axis_deg) { return 180.0 - normalized_axis_deg(ax
 Prescription crossed(const Prescription& a, const Prescription& b)
 {
     Prescription sum = prescription_from(power_matrix_tabo(a) + power_matrix_tabo(b));
+    sum.add_d = a.add_d + b.add_d;
     sum.base_in_pd = a.base_in_pd + b.base_in_pd;
     sum.base_up_pd = a.base_up_pd + b.base_up_pd;
     sum.eye = a.eye;

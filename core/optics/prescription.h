@@ -41,6 +41,10 @@ struct Prescription {
 // Throws std::invalid_argument unless every number is finite and in its range.
 void require_valid(const Prescription& rx);
 
+// Throws std::invalid_argument for a power that no valid prescription has in either form; the
+// messages call the power `name`. Rounding may have made the strongest stronger.
+void require_prescribable(const PowerMatrix& power, std::string_view name);
+
 // By how much the prism bends the line of sight, as a slope in the camera frame: what is seen
 // moves the other way. The nose is to the left as the right eye sees it, to the right for the left
 // eye. Throws std::invalid_argument for a prism base in or out of an eye that is neither.
@@ -83,7 +87,8 @@ enum class CylinderForm { Minus, Plus };
 [[nodiscard]] double camera_angle_deg(double axis_deg);
 
 // The lens that two lenses in contact make, prisms included. Their axes may cross at any angle.
-// The eye's side is the first lens's.
+// Near
+// additions add up, and the eye's side is the first lens's.
 [[nodiscard]] Prescription crossed(const Prescription& a, const Prescription& b);
 
 // Power along a meridian (curvital) and across it (torsional): how much a ray that enters on the

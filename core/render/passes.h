@@ -33,10 +33,11 @@ inline constexpr std::array pass_table{
     PassInfo{Pass::Depth, "Depth", "Z", false},
     PassInfo{Pass::Normal, "Normal", "XYZ", true},
     PassInfo{Pass::Albedo, "Albedo", "RGB", true},
-    // Mean of E = K - I/x, dioptres: positive where the eye is focused nearer than the surface.
+    // Mean of the paraxial E = K - I/x, dioptres: positive where the eye is focused nearer than
+    // the surface.
     PassInfo{Pass::Defocus, "Defocus", "X", false},
-    // Major diameter of the blur ellipse, arcmin: of focus and astigmatism as on the axis, without
-    // aberrations of higher order.
+    // Major diameter of the paraxial blur ellipse, arcmin: of focus and astigmatism as next to the
+    // axis, without aberrations of higher order.
     PassInfo{Pass::Blur, "Blur", "X", false},
     // By what Combined was divided, channel by channel, and in A the other means: the number of
     // samples, unless wavelengths or points of the pupil count differently. Pictures I of sample

@@ -140,12 +140,11 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
                 const double depth = chief_depth(*job.scene, job.frame, *job.eye,
                                                  job.frame.chief_slope(V2d(x + 0.5, y + 0.5)));
                 const PowerMatrix e = job.eye->error_d(1.0 / (depth * job.frame.metres_per_unit));
-                const double largest_d = std::abs(e.mean_d()) + e.astigmatism_d();
                 tile.set(x, y,
                          {.depth = std::min(static_cast<float>(depth), background_depth),
                           .defocus_d = static_cast<float>(e.mean_d()),
                           .blur_arcmin = static_cast<float>(
-                              arcmin_from_rad(job.eye->pupil_diameter_m() * largest_d))});
+                              arcmin_from_rad(job.eye->pupil_diameter_m() * e.largest_magnitude_d()))});
             }
         }
     });

@@ -26,6 +26,7 @@ COPY = "pinhole"
 class RayError:
     median_arcmin: float
     largest_arcmin: float
+    other_fates: int  # rays of which one is lost and the other is not, or otherwise
 
 
 def make_eye(model: str, **more) -> eyecore.Eye:
@@ -53,6 +54,8 @@ def rays_to_ask(count: int) -> tuple[np.ndarray, np.ndarray]:
 def ray_ns(eye: eyecore.Eye, wavelength_nm: float, count: int) -> float:
     """The copy included."""
     slopes, points = rays_to_ask(count)
+    if eye.pupil_mm == 0.0:
+        points = np.zeros_like(points)
     start = time.thread_time_ns()
     eye.rays(slopes, points, wavelength_nm)
     return (time.thread_time_ns() - start) / count
@@ -107,10 +110,15 @@ def thin_slopes(model: str, slopes: np.ndarray, points_m: np.ndarray, nm: float)
 
 def ray_error(model: str, wavelength_nm: float, count: int) -> RayError:
     slopes, points_m = rays_to_ask(count)
-    _, found, weight = make_eye(model).rays(slopes, points_m, wavelength_nm)
+    eye = make_eye(model)
+    # The pinhole has no other point.
+    asked_m = points_m if eye.pupil_mm > 0.0 else np.zeros_like(points_m)
+    _, found, weight, fate = eye.rays(slopes, asked_m, wavelength_nm)
+    other_fates = 0
     if model in SCHEMATIC:
         exact = make_eye(model, exact_trace=True)
-        _, expected, exact_weight = exact.rays(slopes, points_m, wavelength_nm)
+        _, expected, exact_weight, exact_fate = exact.rays(slopes, points_m, wavelength_nm)
+        other_fates = int(np.count_nonzero(fate != exact_fate))
         weight = weight * exact_weight
     else:
         expected = thin_slopes(model, slopes, points_m, wavelength_nm)
@@ -121,4 +129,4 @@ def ray_error(model: str, wavelength_nm: float, count: int) -> RayError:
 
     sine = np.linalg.norm(np.cross(directions(found), directions(expected)), axis=1)
     arcmin = np.degrees(np.arcsin(sine)) * 60.0
-    return RayError(float(np.median(arcmin)), float(arcmin.max()))
+    return RayError(float(np.median(arcmin)), float(arcmin.max()), other_fates)

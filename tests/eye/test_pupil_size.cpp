@@ -83,6 +83,22 @@ TEST(PupilSize, says_what_it_clamped)
     ASSERT_EQ(bright.clamps.size(), 1u) << "Holladay knows no age";
     EXPECT_EQ(bright.clamps[0], "pupil 0.127068 mm taken as 1.5 mm");
     EXPECT_DOUBLE_EQ(bright.diameter_m, 1.5e-3);
+    const PupilSize unknown = pupil_size(Paper, {.luminance_cd_m2 = NAN});
+    ASSERT_EQ(unknown.clamps.size(), 1u);
+    EXPECT_EQ(unknown.clamps[0], "luminance nan cd/m2 taken as 1e-06 cd/m2");
+}
+
+TEST(PupilSize, says_where_winns_data_end)
+{
+    EXPECT_TRUE(pupil_size(Winn, {.luminance_cd_m2 = 9.0}).clamps.empty());
+    EXPECT_TRUE(pupil_size(Winn, {.luminance_cd_m2 = 4400.0}).clamps.empty());
+    const PupilSize dim = pupil_size(Winn, {.luminance_cd_m2 = 1.0});
+    ASSERT_EQ(dim.clamps.size(), 1u);
+    EXPECT_EQ(dim.clamps[0], "luminance 1 cd/m2 taken as 9 cd/m2");
+    EXPECT_EQ(dim.diameter_m, pupil_size(Winn, {.luminance_cd_m2 = 9.0}).diameter_m);
+    const PupilSize bright = pupil_size(Winn, {.luminance_cd_m2 = 1e4});
+    ASSERT_EQ(bright.clamps.size(), 1u);
+    EXPECT_EQ(bright.clamps[0], "luminance 10000 cd/m2 taken as 4400 cd/m2");
 }
 
 TEST(PupilSize, refuses_what_has_no_answer)
@@ -90,8 +106,6 @@ TEST(PupilSize, refuses_what_has_no_answer)
     EXPECT_THROW(static_cast<void>(pupil_size(Barten, {.area_deg2 = 0.0})), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(pupil_size(Barten, {.area_deg2 = NAN})), std::invalid_argument);
     EXPECT_THROW(static_cast<void>(pupil_size(Winn, {.eyes = 3})), std::invalid_argument);
-    EXPECT_THROW(static_cast<void>(pupil_size(Winn, {.luminance_cd_m2 = NAN})),
-                 std::invalid_argument);
     EXPECT_THROW(static_cast<void>(pupil_size(Winn, {.age_years = NAN})), std::invalid_argument);
 }
 

@@ -125,6 +125,8 @@ TEST(Prescription, a_lens_and_its_opposite_leave_nothing)
     const Prescription rx{.sphere_d = -2.0, .cylinder_d = -0.75, .axis_deg = 160.0};
     const Prescription opposite{.sphere_d = 2.0, .cylinder_d = 0.75, .axis_deg = 160.0};
     EXPECT_EQ(crossed(rx, opposite), Prescription{});
+    EXPECT_EQ(crossed({.sphere_d = -1.0, .add_d = 1.5}, {.sphere_d = 1.0, .add_d = 0.5}),
+              Prescription{.add_d = 2.0});
 }
 
 TEST(Prescription, a_sphere_has_no_axis_whatever_rounding_left_of_a_cylinder)

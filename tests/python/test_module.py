@@ -83,8 +83,8 @@ def test_session_is_pulled_and_cancelled() -> None:
 
 
 def test_rays_of_an_eye_follow_its_power_matrix() -> None:
-    eye = eyecore.Eye(rx="-3.00DS", rx_plane="entrance_pupil")
-    origin, slope, weight = eye.rays([[0.1, 0.0]], [[0.002, 0.001]])
+    eye = eyecore.Eye(rx="-3.00DS", rx_plane="entrance_pupil", pupil_mm=5.0)
+    origin, slope, weight, fate = eye.rays([[0.1, 0.0]], [[0.002, 0.001]])
     assert origin == pytest.approx(np.array([[0.002, 0.001, 0.0]]))
     assert slope == pytest.approx(np.array([[0.1 - 3 * 0.002, -3 * 0.001]]))
     assert weight == pytest.approx(np.array([1.0]))
@@ -150,9 +150,9 @@ def test_missing_image_is_magenta_and_named_in_a_warning() -> None:
         (lambda: eyecore.pupil_diameter_mm("GUESS", 10.0), r"formula is 'GUESS'; expected one of"),
         (
             lambda: eyecore.pupil_diameter_mm("WINN", -1.0),
-            r"luminance_cd_m2 is -1 cd/m2; expected 0 or more",
+            r"luminance_cd_m2 is -1 cd/m2; expected 0 cd/m2 or more",
         ),
-        (lambda: eyecore.pupil_diameter_mm("WINN", np.nan), r"luminance_cd_m2 is nan; expected a"),
+        (lambda: eyecore.pupil_diameter_mm("WINN", np.nan), r"luminance_cd_m2 is nan cd/m2"),
     ],
 )
 def test_refusals_name_value_and_what_is_allowed(call, sentence: str) -> None:

@@ -4,7 +4,7 @@ import eyecore
 import numpy as np
 import pytest
 
-POINTS_M = [[0.001, 0.0], [-0.0005, 0.002]]
+POINTS_M = [[0.001, 0.0], [-0.0005, 0.0019]]
 
 
 def test_population_is_published_and_mirrored() -> None:
