@@ -66,7 +66,7 @@ def half_metal():
     principled(Base_Color=GOLD, Metallic=0.5)
 
 
-@feature()
+@feature(before_4=LAYERS)
 def specular():
     """Specular level 1"""
     principled(Specular_IOR_Level=1.0)
@@ -186,7 +186,7 @@ def thin_film():
     )
 
 
-@feature()
+@feature(before_4=LAYERS)
 def coat_normal():
     """A coat whose normal is bumped, over a base whose normal is not"""
     tree = new_tree()
