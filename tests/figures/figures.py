@@ -129,11 +129,16 @@ def _pass_on(line: str) -> None:
         print(f"\n{line.rstrip()}")
 
 
-def label_of(view: View, picture: Path) -> str:
+def facts_of(picture: Path) -> dict[str, str]:
+    """The observer, of a picture's metadata."""
     info = subprocess.run(
         ["oiiotool", "--info", "-v", str(picture)], capture_output=True, text=True, check=True
     ).stdout
-    facts = dict(re.findall(r'eye_render:(\w+): "([^"]+)"', info))
+    return dict(re.findall(r'eye_render:(\w+): "([^"]+)"', info))
+
+
+def label_of(view: View, picture: Path) -> str:
+    facts = facts_of(picture)
     return view.label.format(
         pupil_mm=float(facts["pupil_mm"]),
         luminance=f"{float(format(float(facts.get('luminance_cd_m2', 0)), '.2g')):g}",

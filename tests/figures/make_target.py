@@ -1,8 +1,9 @@
 """Builds a target that glows evenly and saves it. Runs inside Blender:
 
-blender -b --factory-startup --python make_target.py -- FILE.blend lines|lamps
+blender -b --factory-startup --python make_target.py -- FILE.blend lines|near_lines|lamps
 
 lines: black ones on white, as many horizontal as vertical, alike under a quarter turn.
+near_lines: the same at reading distance.
 lamps: four small ones and a letter on black.
 """
 
@@ -12,6 +13,7 @@ import sys
 import bpy
 
 DISTANCE_M = 6.0  # beyond 1/3 m, where -6.00DC leaves no line in focus but those of one direction
+READING_M = 0.4
 FIELD_DEG = 16.0
 CARD_ARCMIN = 840
 LINES = 7  # in each quarter of the card
@@ -29,9 +31,10 @@ def main(path: str, target: str) -> None:
     for node in scene.world.node_tree.nodes if scene.world.node_tree else ():
         if node.bl_idname == "ShaderNodeBackground":
             node.inputs["Color"].default_value = (0, 0, 0, 1)
-    if target == "lines":
-        _rectangles("card", 0.8, DISTANCE_M, [(0, 0, CARD_ARCMIN / 2, CARD_ARCMIN / 2)])
-        _rectangles("lines", 0.02, DISTANCE_M - 0.01, list(_lines()))
+    if target in ("lines", "near_lines"):
+        distance_m = DISTANCE_M if target == "lines" else READING_M
+        _rectangles("card", 0.8, distance_m, [(0, 0, CARD_ARCMIN / 2, CARD_ARCMIN / 2)])
+        _rectangles("lines", 0.02, 0.998 * distance_m, list(_lines()))
     else:
         _rectangles("lamps", 30.0, DISTANCE_M, list(_lamps()))
         _rectangles("letter", 0.8, DISTANCE_M, list(_letter()))
