@@ -189,6 +189,20 @@ def test_an_image_texture_has_the_number_of_a_texture(material, export):
     assert left_out == []
 
 
+def test_a_mirrored_picture_is_one_whose_coordinates_are_folded(material, export):
+    extensions = bpy.types.ShaderNodeTexImage.bl_rna.properties["extension"].enum_items
+    if "MIRROR" not in extensions:
+        pytest.skip("this Blender's pictures are not mirrored")
+    image = bpy.data.images.new("Picture", 2, 2)
+    feed_color(material, "ShaderNodeTexImage", image=image, extension="MIRROR")
+    shader, left_out = export(material)
+    combined = shader.inputs["Color"].node.inputs["Vector"].node
+    folded = combined.inputs["X"].node
+    assert folded.options["operation"] == "PINGPONG"
+    assert folded.inputs["Value"].node.inputs["Vector"].identifier == "UV"
+    assert left_out == []
+
+
 def test_a_texture_without_a_picture_is_magenta_and_named(material, export):
     feed_color(material, "ShaderNodeTexImage", name="Lost")
     shader, (left_out,) = export(material)

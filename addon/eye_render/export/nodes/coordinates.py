@@ -35,9 +35,14 @@ def map_texture(node: Node) -> None:
         return
     mapped = Node("MAPPING", "Mapping", {"vector_type": mapping.vector_type})
     mapped.inputs = {name: Input("VECTOR", value) for name, value in values.items()}
-    vector = node.inputs.get("Vector", Input("VECTOR"))
-    if vector.source is None:
-        kind, identifier = _USUAL_COORDINATE.get(node.kind, ("TEX_COORD", "Generated"))
-        vector = Input("VECTOR", source=Node(kind, kind).output(identifier, "VECTOR"))
-    mapped.inputs["Vector"] = vector
+    mapped.inputs["Vector"] = coordinate_of(node)
     node.inputs["Vector"] = Input("VECTOR", source=mapped.output("Vector", "VECTOR"))
+
+
+def coordinate_of(texture: Node) -> Input:
+    """What is linked to a texture's Vector, or what it reads where nothing is."""
+    vector = texture.inputs.get("Vector")
+    if vector is not None and vector.source is not None:
+        return vector
+    kind, identifier = _USUAL_COORDINATE.get(texture.kind, ("TEX_COORD", "Generated"))
+    return Input("VECTOR", source=Node(kind, kind).output(identifier, "VECTOR"))

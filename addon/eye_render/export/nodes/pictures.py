@@ -3,7 +3,8 @@
 import bpy
 
 from ..image import MISSING_COLOR, ImageTable
-from .flat import Node
+from .coordinates import coordinate_of
+from .flat import Input, Node, math_node, math_result
 
 
 def number_texture(node: Node, images: ImageTable) -> None:
@@ -15,6 +16,9 @@ def number_texture(node: Node, images: ImageTable) -> None:
     user: bpy.types.ImageUser = node.options.pop("image_user")
     extension = node.options.pop("extension", "REPEAT")
     interpolation = node.options.pop("interpolation")
+    if extension == "MIRROR" and node.options["projection"] == "FLAT":
+        extension = "EXTEND"
+        _fold_coordinates(node)
     if image is None:
         node.notes.append("the missing image of")
     elif image.source == "TILED":
@@ -28,3 +32,13 @@ def number_texture(node: Node, images: ImageTable) -> None:
     node.options["premultiplied"] = images.is_premultiplied(image)
     if image.alpha_mode == "NONE":
         node.constant_outputs = {"Alpha": 1.0}
+
+
+def _fold_coordinates(node: Node) -> None:
+    """Every second repetition runs backwards, within the picture itself."""
+    separate = Node("SEPXYZ", "Separate XYZ", inputs={"Vector": coordinate_of(node)})
+    combine = Node("COMBXYZ", "Combine XYZ")
+    for axis in ("X", "Y"):
+        place = Input("VALUE", source=separate.output(axis, "VALUE"))
+        combine.inputs[axis] = math_result(math_node("PINGPONG", place, 1.0))
+    node.inputs["Vector"] = Input("VECTOR", source=combine.output("Vector", "VECTOR"))
