@@ -42,7 +42,7 @@ _LOWER: dict[str, Callable[[Node], None]] = {
     "object": name_object,
     "texture_mapping": map_texture,
 }
-# Options that change nothing, or only what a noise filter or a script compiler does.
+# Options that do not change what a node shows.
 _WITHOUT_EFFECT = {"samples", "use_alpha"}
 # Inputs that do nothing by themselves although they are not zero.
 _SUBORDINATE_INPUTS = {"Filter Width", "Thin Film IOR"}
