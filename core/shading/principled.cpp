@@ -91,8 +91,9 @@ constexpr float largest_specular = 1e3f;
     const V3f coat_normal = has_coat ? unit_normal(inputs.coat_normal, point.ns) : normal;
     if (inputs.sheen_weight > 0.0f) {
         // Fibres stand on the coat as far as there is one.
+        const V3f& fallback = normal;
         const V3f between = normal + (coat_normal - normal) * unit_range(inputs.coat_weight);
-        weight *= add_sheen_layer(bsdf, inputs, weight, unit_normal(between, normal), point);
+        weight *= add_sheen_layer(bsdf, inputs, weight, unit_normal(between, fallback), point);
     }
     if (has_coat) {
         weight *= add_coat_layer(bsdf, inputs, weight, coat_normal, point);

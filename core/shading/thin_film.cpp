@@ -5,6 +5,7 @@
 #include "shading/fresnel.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -46,9 +47,9 @@ struct PolarizedBoundary {
     struct Gaussian {
         float height, center, variance;  // centre in 1/m, variance in 1/m^2
     };
-    constexpr Gaussian lobes[] = {{5.4856e-13f, 1.6810e6f, 4.3278e9f},
-                                  {4.4201e-13f, 1.7953e6f, 9.3046e9f},
-                                  {5.2481e-13f, 2.2084e6f, 6.6121e9f}};
+    constexpr auto lobes = std::to_array<Gaussian>({{5.4856e-13f, 1.6810e6f, 4.3278e9f},
+                                                    {4.4201e-13f, 1.7953e6f, 9.3046e9f},
+                                                    {5.2481e-13f, 2.2084e6f, 6.6121e9f}});
     constexpr Gaussian second_red = {9.7470e-14f, 2.2399e6f, 4.5282e9f};
     constexpr float even = 1.0685e-7f;  // of all of Y
 

@@ -23,7 +23,7 @@ TEST(Lobe, samples_follow_the_density_of_evaluate)
     constexpr int heights = 20;
     constexpr int azimuths = 20;
     constexpr int sub = 12;  // quadrature points a cell and axis
-    constexpr int samples = 200000;
+    constexpr int samples = 100000;
     constexpr double edge_error = 4e-3;  // of the quadrature, where a density ends in a step
     const auto cell_of = [](const V3f& w) { return test::cell_of(w, heights, azimuths); };
     const double tests = double(lobe_cases().size() * std::size(view_angles_deg));
@@ -60,7 +60,7 @@ TEST(Lobe, a_glossy_toon_fills_its_cone_evenly)
     // Half angle 45 degrees, of which the outer 18 fade out; seen so that all of it is above the
     // surface.
     constexpr int bins = 20;
-    constexpr int samples = 200000;
+    constexpr int samples = 100000;
     const Lobe lobe = toon_lobe(LobeKind::GlossyToon, Color3f(1.0f), 0.3f, 0.2f, up, up);
     Bsdf bsdf(direction_at(40.0), up);
     bsdf.add(lobe, lobe.weight);

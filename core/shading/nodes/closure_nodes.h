@@ -5,12 +5,13 @@
 #include "shading/node.h"
 
 #include <algorithm>
+#include <array>
 #include <memory>
 
 namespace eye_render {
 
 // The one output of every surface closure.
-inline constexpr OutputSocket bsdf_output[] = {{"BSDF", SocketType::Shader}};
+inline constexpr auto bsdf_output = std::to_array<OutputSocket>({{"BSDF", SocketType::Shader}});
 
 [[nodiscard]] constexpr InputSocket number_input(std::string_view identifier, float value)
 {

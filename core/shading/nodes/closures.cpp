@@ -25,12 +25,22 @@ V3f tangent_input_value(const NodeInputs& in, std::size_t input)
 
 std::span<const NodeType> closure_nodes()
 {
-    static const NodeType nodes[] = {
-        principled_node(),  diffuse_node(),    translucent_node(), toon_node(),
-        sheen_node(),       subsurface_node(), glossy_node(),      glass_node(),
-        refraction_node(),  metallic_node(),   emission_node(),    background_node(),
-        transparent_node(), holdout_node(),
-    };
+    static const auto nodes = std::to_array<NodeType>({
+        principled_node(),
+        diffuse_node(),
+        translucent_node(),
+        toon_node(),
+        sheen_node(),
+        subsurface_node(),
+        glossy_node(),
+        glass_node(),
+        refraction_node(),
+        metallic_node(),
+        emission_node(),
+        background_node(),
+        transparent_node(),
+        holdout_node(),
+    });
     return nodes;
 }
 

@@ -129,46 +129,47 @@ public:
 
 NodeType diffuse_node()
 {
-    static constexpr InputSocket inputs[] = {
-        color_input("Color", 0.8f), number_input("Roughness", 0.0f), normal_input("Normal")};
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {color_input("Color", 0.8f), number_input("Roughness", 0.0f), normal_input("Normal")});
     return closure_type<DiffuseNode>("BSDF_DIFFUSE", inputs);
 }
 
 NodeType translucent_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 0.8f), normal_input("Normal")};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 0.8f), normal_input("Normal")});
     return closure_type<TranslucentNode>("BSDF_TRANSLUCENT", inputs);
 }
 
 NodeType toon_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 0.8f),
-                                             number_input("Size", 0.5f),
-                                             number_input("Smooth", 0.0f), normal_input("Normal")};
-    static constexpr std::string_view options[] = {"component"};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 0.8f), number_input("Size", 0.5f),
+                                    number_input("Smooth", 0.0f), normal_input("Normal")});
+    static constexpr auto options = std::to_array<std::string_view>({"component"});
     return closure_type<ToonNode>("BSDF_TOON", inputs, bsdf_output, options);
 }
 
 NodeType sheen_node()
 {
-    static constexpr InputSocket inputs[] = {
-        color_input("Color", 0.8f), number_input("Roughness", 0.5f), normal_input("Normal")};
-    static constexpr std::string_view options[] = {"distribution"};
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {color_input("Color", 0.8f), number_input("Roughness", 0.5f), normal_input("Normal")});
+    static constexpr auto options = std::to_array<std::string_view>({"distribution"});
     return closure_type<SheenNode>("BSDF_SHEEN", inputs, bsdf_output, options);
 }
 
 NodeType subsurface_node()
 {
-    static constexpr InputSocket inputs[] = {
-        color_input("Color", 0.8f),
-        number_input("Scale", 0.05f),
-        {"Radius", SocketType::Vector, NodeValue(1.0f, 0.2f, 0.1f)},
-        number_input("IOR", 1.4f),
-        number_input("Roughness", 1.0f),
-        number_input("Anisotropy", 0.0f),
-        normal_input("Normal")};
-    static constexpr OutputSocket outputs[] = {{"BSSRDF", SocketType::Shader}};
-    static constexpr std::string_view options[] = {"falloff"};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 0.8f),
+                                    number_input("Scale", 0.05f),
+                                    {"Radius", SocketType::Vector, NodeValue(1.0f, 0.2f, 0.1f)},
+                                    number_input("IOR", 1.4f),
+                                    number_input("Roughness", 1.0f),
+                                    number_input("Anisotropy", 0.0f),
+                                    normal_input("Normal")});
+    static constexpr auto outputs = std::to_array<OutputSocket>({{"BSSRDF", SocketType::Shader}});
+    static constexpr auto options = std::to_array<std::string_view>({"falloff"});
     return closure_type<SubsurfaceNode>("SUBSURFACE_SCATTERING", inputs, outputs, options);
 }
 

@@ -155,48 +155,49 @@ public:
     }
 };
 
-constexpr std::string_view distribution_options[] = {"distribution"};
+constexpr auto distribution_options = std::to_array<std::string_view>({"distribution"});
 
 }  // namespace
 
 NodeType glossy_node()
 {
-    static constexpr InputSocket inputs[] = {
-        color_input("Color", 0.8f),       number_input("Roughness", 0.5f),
-        number_input("Anisotropy", 0.0f), number_input("Rotation", 0.0f),
-        normal_input("Normal"),           tangent_input()};
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {color_input("Color", 0.8f), number_input("Roughness", 0.5f),
+         number_input("Anisotropy", 0.0f), number_input("Rotation", 0.0f), normal_input("Normal"),
+         tangent_input()});
     return closure_type<GlossyNode>("BSDF_GLOSSY", inputs, bsdf_output, distribution_options);
 }
 
 NodeType metallic_node()
 {
-    static constexpr InputSocket inputs[] = {
-        {"Base Color", SocketType::Color, NodeValue(0.617f, 0.577f, 0.540f)},
-        {"Edge Tint", SocketType::Color, NodeValue(0.695f, 0.726f, 0.770f)},
-        {"IOR", SocketType::Vector, NodeValue(2.757f, 2.513f, 2.231f)},
-        {"Extinction", SocketType::Vector, NodeValue(3.867f, 3.404f, 3.009f)},
-        number_input("Roughness", 0.5f),
-        number_input("Anisotropy", 0.0f),
-        number_input("Rotation", 0.0f),
-        normal_input("Normal"),
-        tangent_input()};
-    static constexpr std::string_view options[] = {"distribution", "fresnel_type"};
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {{"Base Color", SocketType::Color, NodeValue(0.617f, 0.577f, 0.540f)},
+         {"Edge Tint", SocketType::Color, NodeValue(0.695f, 0.726f, 0.770f)},
+         {"IOR", SocketType::Vector, NodeValue(2.757f, 2.513f, 2.231f)},
+         {"Extinction", SocketType::Vector, NodeValue(3.867f, 3.404f, 3.009f)},
+         number_input("Roughness", 0.5f),
+         number_input("Anisotropy", 0.0f),
+         number_input("Rotation", 0.0f),
+         normal_input("Normal"),
+         tangent_input()});
+    static constexpr auto options =
+        std::to_array<std::string_view>({"distribution", "fresnel_type"});
     return closure_type<MetallicNode>("BSDF_METALLIC", inputs, bsdf_output, options);
 }
 
 NodeType glass_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 1.0f),
-                                             number_input("Roughness", 0.0f),
-                                             number_input("IOR", 1.5f), normal_input("Normal")};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 1.0f), number_input("Roughness", 0.0f),
+                                    number_input("IOR", 1.5f), normal_input("Normal")});
     return closure_type<GlassNode>("BSDF_GLASS", inputs, bsdf_output, distribution_options);
 }
 
 NodeType refraction_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 1.0f),
-                                             number_input("Roughness", 0.0f),
-                                             number_input("IOR", 1.45f), normal_input("Normal")};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 1.0f), number_input("Roughness", 0.0f),
+                                    number_input("IOR", 1.45f), normal_input("Normal")});
     return closure_type<RefractionNode>("BSDF_REFRACTION", inputs, bsdf_output,
                                         distribution_options);
 }

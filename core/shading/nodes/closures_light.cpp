@@ -72,29 +72,31 @@ public:
 
 NodeType emission_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 1.0f),
-                                             number_input("Strength", 1.0f)};
-    static constexpr OutputSocket outputs[] = {{"Emission", SocketType::Shader}};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 1.0f), number_input("Strength", 1.0f)});
+    static constexpr auto outputs =
+        std::to_array<OutputSocket>({{"Emission", SocketType::Shader}});
     return closure_type<EmissionNode>("EMISSION", inputs, outputs);
 }
 
 NodeType background_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 0.8f),
-                                             number_input("Strength", 1.0f)};
-    static constexpr OutputSocket outputs[] = {{"Background", SocketType::Shader}};
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 0.8f), number_input("Strength", 1.0f)});
+    static constexpr auto outputs =
+        std::to_array<OutputSocket>({{"Background", SocketType::Shader}});
     return closure_type<EmissionNode>("BACKGROUND", inputs, outputs);
 }
 
 NodeType transparent_node()
 {
-    static constexpr InputSocket inputs[] = {color_input("Color", 1.0f)};
+    static constexpr auto inputs = std::to_array<InputSocket>({color_input("Color", 1.0f)});
     return closure_type<TransparentNode>("BSDF_TRANSPARENT", inputs);
 }
 
 NodeType holdout_node()
 {
-    static constexpr OutputSocket outputs[] = {{"Holdout", SocketType::Shader}};
+    static constexpr auto outputs = std::to_array<OutputSocket>({{"Holdout", SocketType::Shader}});
     return closure_type<HoldoutNode>("HOLDOUT", {}, outputs);
 }
 

@@ -18,7 +18,7 @@ enum Input : std::size_t {
     ThinFilmThickness, ThinFilmIor,
 };
 
-constexpr InputSocket inputs[] = {
+constexpr auto inputs = std::to_array<InputSocket>({
     color_input("Base Color", 0.8f),
     number_input("Metallic", 0.0f),
     number_input("Roughness", 0.5f),
@@ -49,7 +49,7 @@ constexpr InputSocket inputs[] = {
     number_input("Emission Strength", 0.0f),
     number_input("Thin Film Thickness", 0.0f),
     number_input("Thin Film IOR", 1.33f),
-};
+});
 // clang-format on
 
 class PrincipledNode : public ClosureNode {
@@ -159,7 +159,7 @@ private:
     bool multiple_scattering_;
 };
 
-constexpr std::string_view options[] = {"distribution", "subsurface_method"};
+constexpr auto options = std::to_array<std::string_view>({"distribution", "subsurface_method"});
 
 }  // namespace
 
