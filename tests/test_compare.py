@@ -24,6 +24,10 @@ SAMPLES = 48  # per pixel; a quick picture is told from its noise by blocks of p
 # What a quick picture's noise, not quite that of Cycles, may add to a figure of FLIP.
 QUICK_MARGIN = 0.01
 SEED = 7
+# Few pixels of these differ, at edges, but much: FLIP, which is a mean, is below its threshold.
+SHARP = {"bends/custom_normals", "converters/map_range", "converters/mix_color",
+         "coordinates/camera"}  # fmt: skip
+SHARP_FACTOR = 2.0
 
 STORED = sorted(path.stem for path in references.FOLDER.glob("*.npz"))
 NOISE = np.random.default_rng(3)
@@ -66,6 +70,8 @@ def test_scene_is_as_near_to_cycles_as_it_must_be(quick, version, stem):
     excess = excess_rmse(reference.mean, reference.sigma, reference.samples, picture, SAMPLES)
     # Of large differences FLIP makes less than of small ones.
     factor = FLIP_OF_BLOCK_RMSE if threshold <= THRESHOLD else 1.0
+    if name in SHARP:
+        factor = SHARP_FACTOR
     assert factor * excess <= threshold + QUICK_MARGIN, rendered.warnings
 
 
