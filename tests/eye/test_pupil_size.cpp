@@ -83,7 +83,7 @@ TEST(PupilSize, says_what_it_clamped)
     ASSERT_EQ(bright.clamps.size(), 1u) << "Holladay knows no age";
     EXPECT_EQ(bright.clamps[0], "pupil 0.127068 mm taken as 1.5 mm");
     EXPECT_DOUBLE_EQ(bright.diameter_m, 1.5e-3);
-    const PupilSize unknown = pupil_size(Paper, {.luminance_cd_m2 = NAN});
+    const PupilSize unknown = pupil_size(WatsonYellott, {.luminance_cd_m2 = NAN});
     ASSERT_EQ(unknown.clamps.size(), 1u);
     EXPECT_EQ(unknown.clamps[0], "luminance nan cd/m2 taken as 1e-06 cd/m2");
 }

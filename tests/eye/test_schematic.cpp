@@ -213,6 +213,17 @@ TEST(SchematicEye, is_fitted_over_a_narrower_field_when_that_is_what_it_takes)
     const auto eye = make_eye(spec);
     EXPECT_GT(eye->approximation_arcmin(), 0.0);
     EXPECT_LE(eye->approximation_arcmin(), 0.02);
+    EXPECT_TRUE(eye->fitted_field_deg() == 20.0 || eye->fitted_field_deg() == 30.0);
+}
+
+TEST(SchematicEye, that_no_fit_does_right_says_so_and_is_traced_exactly)
+{
+    const EyeSpec spec{
+        .model = EyeModelKind::Arizona, .pupil_diameter_m = 8e-3, .accommodation_d = 6.67};
+    EXPECT_FALSE(is_fitted_at(1.0, spec));
+    const auto eye = make_eye(spec);
+    EXPECT_EQ(eye->fitted_field_deg(), std::nullopt);
+    EXPECT_EQ(eye->approximation_arcmin(), 0.0);
 }
 
 TEST(SchematicEye, sees_invisible_wavelengths_as_the_nearest_visible_one)
@@ -232,8 +243,13 @@ TEST(SchematicEye, is_traced_exactly_beyond_its_fitted_field)
     EyeSpec spec{.model = EyeModelKind::Navarro};
     EXPECT_TRUE(is_fitted_at(39.9, spec));
     EXPECT_FALSE(is_fitted_at(40.1, spec));
+    EXPECT_EQ(make_eye(spec)->fitted_field_deg(), 40.0);
+    spec.worn = glasses({.sphere_d = 2.0}, 12e-3);
+    EXPECT_EQ(make_eye(spec)->fitted_field_deg(), 40.0);
+    spec.worn.reset();
     spec.exact_trace = true;
     EXPECT_EQ(make_eye(spec)->approximation_arcmin(), 0.0);
+    EXPECT_EQ(make_eye(spec)->fitted_field_deg(), std::nullopt);
 }
 
 TEST(SchematicEye, refracts_a_person_by_the_least_spot_when_asked_to)
