@@ -130,10 +130,12 @@ TEST(SchematicRays, are_finite_or_lost_when_fitted_and_near_the_exact_ones)
 {
     Random random(7);
     Counts counts;
+    int in_field = 0;
     for (const EyeModelKind model : eye_model_kinds) {
         if (!is_schematic(model)) continue;
         for (int i = 0; i < 12; ++i) {
             Trial exact = random.trial(model);
+            exact.exact_trace = true;
             exact.zero = RefractionZero::Paraxial;
             Trial fitted = exact;
             fitted.exact_trace = false;
@@ -149,6 +151,11 @@ TEST(SchematicRays, are_finite_or_lost_when_fitted_and_near_the_exact_ones)
                 check_ray(*fitted_eye, fitted, counts);
                 const EyeRay a = ray_of(*fitted_eye, fitted);
                 const EyeRay b = ray_of(*exact_eye, fitted);
+                const double field_deg = fitted_eye->fitted_field_deg().value_or(0.0);
+                if (chief_slope(fitted).length() <= std::tan(rad_from_deg(field_deg))) {
+                    EXPECT_EQ(a.fate, b.fate) << fitted;
+                    ++in_field;
+                }
                 if (a.fate != b.fate || a.fate != RayFate::Transmitted) continue;
                 EXPECT_LE(arcmin_from_rad((a.slope - b.slope).length()) /
                               (1.0 + b.slope.length2()),
@@ -158,6 +165,7 @@ TEST(SchematicRays, are_finite_or_lost_when_fitted_and_near_the_exact_ones)
         }
     }
     EXPECT_GT(counts.made, 10);
+    EXPECT_GT(in_field, 100);
     EXPECT_GT(counts.transmitted, counts.rays / 3);
 }
 

@@ -22,7 +22,7 @@ struct Trial {
     EyeModelKind model = EyeModelKind::Paraxial;
     RxPlane rx_plane = RxPlane::EntrancePupil;
     RefractionZero zero = RefractionZero::Paraxial;
-    bool exact_trace = true;  // a fit to the schematic eyes takes longer than a trial's rays
+    bool exact_trace = true;  // at a corner: a fit takes longer than a trial's rays
     bool glasses = false;
 
     double sphere_d = 0.0;
@@ -115,7 +115,8 @@ public:
 
     void draw(Trial& trial, std::span<const Input> inputs);
 
-    // All inputs, the plane of the prescription and whether glasses are worn. The object is as
+    // All inputs, the plane of the prescription, whether glasses are worn and, for every eighth
+    // schematic eye, that it is fitted. The object is as
     // often near as far: its distance is uniform in the logarithm, from 1 cm to 10,000 km.
     [[nodiscard]] Trial trial(EyeModelKind model);
 
