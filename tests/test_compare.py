@@ -16,8 +16,8 @@ sys.path.insert(0, str(ROOT / "tests/compare"))
 import references  # noqa: E402
 from blender_batch import BLENDER, Rendered, render_features  # noqa: E402
 from measure import FLIP_OF_BLOCK_RMSE, excess_rmse, measure  # noqa: E402
+from page import EXPECTED, FAILED, PASSED, png  # noqa: E402
 from picture import as_seen  # noqa: E402
-from report import EXPECTED, FAILED, PASSED, png  # noqa: E402
 from verdict import THRESHOLD, allowed, row_of  # noqa: E402
 
 SAMPLES = 48  # per pixel; a quick picture is told from its noise by blocks of pixels

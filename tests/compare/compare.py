@@ -17,7 +17,7 @@ from pathlib import Path
 from blender_batch import BLENDER, render_features
 from compare_files import compare_files
 from not_yet import NOT_YET
-from report import FAILED, PASSED, Row, line_of, summary, write_csv, write_page
+from page import FAILED, PASSED, Row, line_of, summary, write_csv, write_page
 from verdict import row_of
 
 OUT = Path(os.environ.get("EYE_OUT_DIR", Path(__file__).resolve().parents[2] / "out"))

@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 from blender_batch import BLENDER
 from measure import measure
-from report import FAILED, PASSED, Cost, Row
+from page import FAILED, PASSED, Cost, Row
 
 HERE = Path(__file__).resolve().parent
 PREPARE = HERE.parent / "models/prepare.py"  # imports models, and gives them camera and light

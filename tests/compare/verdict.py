@@ -4,8 +4,8 @@ import references
 from blender_batch import Rendered
 from measure import measure
 from not_yet import NOT_YET
+from page import EXPECTED, FAILED, PASSED, Cost, Row
 from picture import as_seen
-from report import EXPECTED, FAILED, PASSED, Cost, Row
 
 THRESHOLD = 0.03  # of mean FLIP
 ANYTHING = 1.0
