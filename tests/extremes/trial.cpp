@@ -134,7 +134,7 @@ Trial Random::trial(EyeModelKind model)
                 // The search for the least spot takes longer than a hundred rays.
                 .zero = index(8) == 0 ? RefractionZero::MinimumRmsSpot : RefractionZero::Paraxial,
                 .glasses = index(2) == 0};
-    trial.exact_trace = !is_schematic(model) || index(8) != 0;
+    trial.exact_trace = !is_schematic(model) || index(32) != 0;
     draw(trial, eye_inputs);
     draw(trial, lens_inputs);
     draw(trial, ray_inputs);

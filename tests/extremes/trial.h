@@ -115,9 +115,9 @@ public:
 
     void draw(Trial& trial, std::span<const Input> inputs);
 
-    // All inputs, the plane of the prescription, whether glasses are worn and, for every eighth
-    // schematic eye, that it is fitted. The object is as
-    // often near as far: its distance is uniform in the logarithm, from 1 cm to 10,000 km.
+    // All inputs, the plane of the prescription, whether glasses are worn and, for one schematic
+    // eye of 32 (a fit takes as long as a hundred thousand rays), that it is fitted. The object is
+    // as often near as far: its distance is uniform in the logarithm, from 1 cm to 10,000 km.
     [[nodiscard]] Trial trial(EyeModelKind model);
 
 private:
