@@ -201,12 +201,13 @@ void bind_scene(py::module_& m)
              "(m,), texture_space ((x, y, z) of Generated 0, size).")
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(),
-             "pass_index"_a = 0.0f, "randoms"_a = py::none(),
-             "hidden_from"_a = py::list(), "is_holdout"_a = false,
+             "pass_index"_a = 0.0f, "randoms"_a = py::none(), "hidden_from"_a = py::list(),
+             "is_holdout"_a = false,
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot. For the "
              "Object\n"
              "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
-             "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, SHADOW rays; a holdout is cut out "
+             "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, SHADOW rays; a holdout is cut "
+             "out "
              "of\n"
              "the picture.")
         .def(
