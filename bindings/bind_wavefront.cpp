@@ -43,7 +43,7 @@ void bind_wavefront(py::module_& m)
         .def_static(
             "corrected_by",
             [](const Prescription& rx, double pupil_mm) {
-                const Wavefront wavefront =
+                Wavefront wavefront =
                     wavefront_corrected_by(power_vector(rx), m_from_mm(pupil_mm));
                 require_valid(wavefront);
                 return wavefront;
