@@ -40,13 +40,14 @@ Color3f physical(const Color3f& c)
 Environment::Environment(const Material& world,
                          const SceneFrame& frame,
                          const std::optional<SunDisc>& sun)
-    : world_(&world), frame_(&frame), constant_(world.surface.constant_emission()), sun_(sun)
+    : world_(&world), frame_(&frame), constant_(world.surface.constant_emission())
 {
     if (constant_) {
         constant_ = physical(*constant_);
         mean_luminance_ = luminance(*constant_);
         return;
     }
+    sun_ = sun;
     // As fine as the widest picture: a small sun must meet a look into its cell.
     int picture_width = world.textures.empty() ? table_max_width : table_min_width;
     for (const int texture : world.textures) {
