@@ -30,8 +30,8 @@ struct PowerMatrix {
     // Half the cylinder, never negative: the eigenvalues are mean_d() +- astigmatism_d().
     [[nodiscard]] double astigmatism_d() const { return std::hypot(j0_d(), j45_d()); }
 
-    // The larger of the eigenvalues' magnitudes. As an error of an eye, times the pupil's diameter,
-    // it is the major diameter of the blur.
+    // The larger of the eigenvalues' magnitudes. As an error of an eye, times the pupil's
+    // diameter, it is the major diameter of the blur.
     [[nodiscard]] double largest_magnitude_d() const
     {
         return std::abs(mean_d()) + astigmatism_d();

@@ -147,10 +147,10 @@ void plan_lens(RenderPlan& plan,
                bool stiles_crawford)
 {
     plan.largest_blur_px = largest_blur_px(scene, frame, eye, chromatic);
-    // Narrower blur disappears in the pixel filter, so that a pull of focus shows no step where the
-    // lens comes in: at an edge from black to white it is 0.0006 of the contrast, 0.4 of the 256
-    // levels of sRGB, where blur of a pixel would bring 0.037 and 19 levels.
-    // NaN falls to the lens, which costs time but never blur.
+    // Narrower blur disappears in the pixel filter, so that a pull of focus shows no step where
+    // the lens comes in: at an edge from black to white it is 0.0006 of the contrast, 0.4 of the
+    // 256 levels of sRGB, where blur of a pixel would bring 0.037 and 19 levels. NaN falls to the
+    // lens, which costs time but never blur.
     constexpr double unseen_px = 0.125;
     plan.lens = !(plan.largest_blur_px < unseen_px);
     plan.chromatic = plan.lens && chromatic && eye.is_chromatic();

@@ -143,8 +143,8 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
                 tile.set(x, y,
                          {.depth = std::min(static_cast<float>(depth), background_depth),
                           .defocus_d = static_cast<float>(e.mean_d()),
-                          .blur_arcmin = static_cast<float>(
-                              arcmin_from_rad(job.eye->pupil_diameter_m() * e.largest_magnitude_d()))});
+                          .blur_arcmin = static_cast<float>(arcmin_from_rad(
+                              job.eye->pupil_diameter_m() * e.largest_magnitude_d()))});
             }
         }
     });

@@ -144,8 +144,8 @@ std::optional<SurfaceHit> Scene::intersect(const Ray& ray, const PathState& path
             break;
         }
         const Placement& placement = placements_[found->placement];
-        SurfaceHit hit = make_surface_hit(rest, *found, placement,
-                                          accelerator_.positions(found->placement));
+        SurfaceHit hit =
+            make_surface_hit(rest, *found, placement, accelerator_.positions(found->placement));
         if (!has_hidden_ || placement.visibility.sees(path)) {
             hit.t += travelled;
             return hit;
