@@ -328,7 +328,6 @@ TEST(Environment, a_procedural_world_is_sampled_by_what_it_shows)
     EXPECT_NEAR(irradiance / (double(side) * side), 2.0 * pi / 3.0, 2e-3);
 }
 
-// A world that is bright for the eye alone lights nothing: the table follows what lights.
 struct Estimate {
     double mean = 0.0;
     double standard_error = 0.0;
@@ -373,6 +372,7 @@ TEST(Environment, the_sun_of_a_sky_is_aimed_at)
     EXPECT_GT(aimed.environment.pdf(to_sun), 0.5f * unaimed.environment.pdf(to_sun));
 }
 
+// A world that is bright for the eye alone lights nothing: the table follows what lights.
 TEST(Environment, a_world_may_look_at_the_path)
 {
     NodeGraph graph;
