@@ -1,6 +1,7 @@
 #include "scene/environment.h"
 
 #include "base/warp.h"
+#include "scene/light_path.h"
 #include "scene/world_attributes.h"
 #include "shading/frame.h"
 
@@ -21,9 +22,6 @@ constexpr int table_min_width = 128;
 
 // Looks into a cell along either axis, at most: of a picture 8 tables wide each pixel is seen.
 constexpr int max_looks = 8;
-
-// Of light that falls on a surface.
-constexpr PathState light_path{.is_camera = false, .depth = 1};
 
 // Of the samples, where a sky has a sun: it gives about half of the light of a clear day.
 constexpr float sun_share = 0.5f;

@@ -1,6 +1,7 @@
 // The lights of a scene: which triangles shine, and light sampling with its densities.
 
 #include "base/warp.h"
+#include "scene/light_path.h"
 #include "scene/scene.h"
 
 #include <cmath>
@@ -63,7 +64,6 @@ V3f Scene::emitter_normal(const Emitter& emitter) const
 
 Color3f Scene::emission(const Emitter& emitter, const V2f& weights, const V3f& wo) const
 {
-    constexpr PathState light_path{.is_camera = false, .depth = 1};
     const V3f normal = emitter_normal(emitter);
     const bool backfacing = normal.dot(wo) < 0.0f;
     const MeshAttributes at(*emitter.placement, emitter.triangle, weights.x, weights.y, frame_);

@@ -1,0 +1,11 @@
+// How a path looks at what lights a surface: not the camera's own ray.
+
+#pragma once
+
+#include "shading/node.h"
+
+namespace eye_render {
+
+inline constexpr PathState light_path{.is_camera = false, .depth = 1};
+
+}  // namespace eye_render
