@@ -5,6 +5,7 @@ import argparse
 import json
 import os
 import subprocess
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -89,19 +90,16 @@ def _render(path: Path, job: dict, folder: Path) -> tuple[dict, float]:
     command += [str(path), str(folder / "record.json"), str(job_file)]
     with log.open("w") as output:
         blender = subprocess.Popen(command, stdout=output, stderr=output)
-        try:
-            status, usage = _wait(blender)
-        except subprocess.TimeoutExpired:
-            blender.kill()
-            raise RuntimeError(f"not done in {TIMEOUT_S} s") from None
+        timer = threading.Timer(TIMEOUT_S, blender.kill)
+        timer.start()
+        # Not Popen.wait, which does not tell how much memory the process had.
+        _, status, usage = os.wait4(blender.pid, 0)
+        blender.returncode = os.waitstatus_to_exitcode(status)
+        is_late = not timer.is_alive()
+        timer.cancel()
+    if is_late:
+        raise RuntimeError(f"not done in {TIMEOUT_S} s")
     if status or not (folder / "found.json").exists():
         lines = [line for line in log.read_text(errors="replace").splitlines() if line.strip()]
-        raise RuntimeError(f"exit status {status}: {' / '.join(lines[-3:])}")
+        raise RuntimeError(f"exit status {blender.returncode}: {' / '.join(lines[-3:])}")
     return json.loads((folder / "found.json").read_text()), usage.ru_maxrss / 1024
-
-
-def _wait(blender: subprocess.Popen):
-    """Exit status and resources of the process, which is ended when it takes too long."""
-    _, status, usage = os.wait4(blender.pid, 0)
-    blender.returncode = os.waitstatus_to_exitcode(status)
-    return blender.returncode, usage
