@@ -127,3 +127,29 @@ def corner_normals(mesh: bpy.types.Mesh) -> np.ndarray:
         mesh.loops.foreach_get("normal", normals.ravel())
         mesh.free_normals_split()
     return normals
+
+
+# Names of passes before Blender 5.0.
+_SHORT_PASS_NAMES = {
+    "Diffuse Direct": "DiffDir",
+    "Diffuse Indirect": "DiffInd",
+    "Diffuse Color": "DiffCol",
+    "Glossy Direct": "GlossDir",
+    "Glossy Indirect": "GlossInd",
+    "Glossy Color": "GlossCol",
+    "Transmission Direct": "TransDir",
+    "Transmission Indirect": "TransInd",
+    "Transmission Color": "TransCol",
+    "Volume Direct": "VolumeDir",
+    "Volume Indirect": "VolumeInd",
+    "Emission": "Emit",
+    "Environment": "Env",
+    "Ambient Occlusion": "AO",
+    "Object Index": "IndexOB",
+    "Material Index": "IndexMA",
+}
+
+
+def pass_name(name: str) -> str:
+    """What this Blender calls the pass, so that nodes of the compositor find it."""
+    return _SHORT_PASS_NAMES.get(name, name) if bpy.app.version < (5, 0, 0) else name

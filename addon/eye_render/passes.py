@@ -3,20 +3,49 @@
 import bpy
 import numpy as np
 
-from . import batch, core
+from . import batch, compat, core
 
 _VALUE_KIND = {1: "VALUE", 3: "VECTOR", 4: "COLOR"}
 
-# Passes that Blender itself has a switch for; the others are switched in `view_layer.eye_render`.
-_BLENDER_SWITCH = {"Depth": "use_pass_z", "Normal": "use_pass_normal"}
+# The property that switches each pass: Blender's, of the view layer, or that of
+# `view_layer.eye_render` where Blender has none.
+_SWITCHES = {
+    "Depth": "use_pass_z",
+    "Normal": "use_pass_normal",
+    "Diffuse Direct": "use_pass_diffuse_direct",
+    "Diffuse Indirect": "use_pass_diffuse_indirect",
+    "Diffuse Color": "use_pass_diffuse_color",
+    "Glossy Direct": "use_pass_glossy_direct",
+    "Glossy Indirect": "use_pass_glossy_indirect",
+    "Glossy Color": "use_pass_glossy_color",
+    "Transmission Direct": "use_pass_transmission_direct",
+    "Transmission Indirect": "use_pass_transmission_indirect",
+    "Transmission Color": "use_pass_transmission_color",
+    "Volume Direct": "use_pass_volume_direct",
+    "Volume Indirect": "use_pass_volume_indirect",
+    "Emission": "use_pass_emit",
+    "Environment": "use_pass_environment",
+    "Denoising Albedo": "denoising_store_passes",
+    "Defocus": "use_pass_defocus",
+    "Blur": "use_pass_blur",
+}
+
+
+def switches(view_layer: bpy.types.ViewLayer) -> dict[str, bpy.types.bpy_struct]:
+    """The switches of passes, each with what holds it."""
+    return {
+        switch: view_layer if hasattr(view_layer, switch) else view_layer.eye_render
+        for switch in _SWITCHES.values()
+    }
 
 
 def _is_enabled(view_layer: bpy.types.ViewLayer, name: str) -> bool:
     if name == "Combined":
         return True
-    if name in _BLENDER_SWITCH:
-        return getattr(view_layer, _BLENDER_SWITCH[name])
-    return getattr(view_layer.eye_render, f"use_pass_{name.lower()}")
+    switch = _SWITCHES[name]
+    # Files made for Cycles keep what they switched on there.
+    holders = (view_layer, view_layer.eye_render, getattr(view_layer, "cycles", None))
+    return any(getattr(holder, switch, False) for holder in holders)
 
 
 def enabled(view_layer: bpy.types.ViewLayer) -> list[tuple[str, int, str]]:
@@ -33,24 +62,27 @@ def register(
     """Tell the compositor which sockets the render layer has."""
     for name, channels, channel_ids in enabled(view_layer):
         kind = "COLOR" if channel_ids == "RGB" else _VALUE_KIND[channels]
-        engine.register_pass(scene, view_layer, name, channels, channel_ids, kind)
+        shown = compat.pass_name(name)
+        engine.register_pass(scene, view_layer, shown, channels, channel_ids, kind)
 
 
 def add(engine: bpy.types.RenderEngine, view_layer: bpy.types.ViewLayer) -> list[str]:
-    """Add the enabled passes to the render result; gives their names."""
+    """Add the enabled passes to the render result; gives their names in the core."""
     rows = enabled(view_layer)
     for name, channels, channel_ids in rows:
         if name != "Combined":  # Blender adds this one itself
-            engine.add_pass(name, channels, channel_ids, layer=view_layer.name)
+            shown = compat.pass_name(name)
+            engine.add_pass(shown, channels, channel_ids, layer=view_layer.name)
     return [name for name, _, _ in rows]
 
 
 def write(layer: bpy.types.RenderLayer, pixels: dict[str, np.ndarray]) -> None:
     """Fill all passes of the layer in one call, by far the fastest way from Blender 3.4 to 5.2."""
     height, width, _ = pixels["Combined"].shape
+    shown = {compat.pass_name(name): array for name, array in pixels.items()}
     flat = [
-        pixels[item.name].ravel()
-        if item.name in pixels
+        shown[item.name].ravel()
+        if item.name in shown
         else np.zeros(height * width * item.channels, np.float32)
         for item in layer.passes
     ]

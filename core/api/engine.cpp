@@ -125,16 +125,14 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     if (plan_.stiles_crawford) {
         job.stiles_crawford = cones;
     }
-    SessionSettings session{.samples = samples_of(settings),
-                            .passes = settings.passes,
-                            .chief_rays = plan_.chief_ray,
-                            .threads = settings.threads};
+    SessionSettings session{
+        .samples = samples_of(settings), .passes = settings.passes, .threads = settings.threads};
     if (settings.stiles_crawford == StilesCrawfordMode::Energy) {
         session.efficiency = cones.effective_area_ratio();
     }
+    job.passes = PassLayout(settings.passes);
     job.integrator = {.max_bounces = settings.max_bounces,
                       .film_transparent = settings.film_transparent,
-                      .first_surface = plan_.first_surface,
                       .pixel_slope = static_cast<float>(frame.pixel_slope_size().x)};
     job.seed = settings.seed;
     session_ = std::make_unique<Session>(std::move(job), std::move(session));

@@ -20,8 +20,7 @@ std::size_t pixel_index(const PixelBounds& bounds, int x, int y)
 // Where the sums stand within a pixel's stride.
 constexpr std::size_t weight_sum = 0;
 constexpr std::size_t combined_sums = 1;
-constexpr std::size_t normal_sums = 5;
-constexpr std::size_t albedo_sums = 8;
+constexpr std::size_t pass_sums = 5;
 
 constexpr std::size_t rgba = 4;
 
@@ -67,20 +66,22 @@ void FilmTile::add(const PathSample& sample)
         add_weighted(sums + layout_.channel_weights(), V3f(1.0f), channel_weight);
     }
     sums[combined_sums + 3] += static_cast<double>(sample.light.alpha) * sample.weight;
-    if (layout_.first_surface) {
-        add_weighted(sums + normal_sums, sample.light.normal, V3d(sample.weight));
-        add_weighted(sums + albedo_sums, sample.light.albedo, V3d(sample.weight));
+    const std::size_t light_channels = layout_.passes.light_channels();
+    for (std::size_t i = 0; i < sample.values.size(); ++i) {
+        const double weight =
+            i < light_channels ? channel_weight[static_cast<int>(i % 3)] : sample.weight;
+        sums[pass_sums + i] += static_cast<double>(sample.values[i]) * weight;
     }
 }
 
-void FilmTile::set(int x, int y, const ChiefSample& chief)
+void FilmTile::set(int x, int y, std::span<const float> chief)
 {
-    chief_[pixel_index(bounds_, x, y)] = chief;
+    std::ranges::copy(chief, chief_.data() + pixel_index(bounds_, x, y) * chief.size());
 }
 
 Film::Film(const PixelBounds& bounds, const FilmLayout& layout)
     : bounds_(bounds), layout_(layout), sums_(pixel_count(bounds) * layout.stride()),
-      chief_(layout.chief ? pixel_count(bounds) : 0)
+      chief_(pixel_count(bounds) * layout.passes.chief_channels())
 {
 }
 
@@ -91,10 +92,9 @@ FilmTile Film::take(const PixelBounds& bounds) const
     tile.layout_ = layout_;
     tile.sums_.resize(pixel_count(bounds) * layout_.stride());
     copy_window(sums_, bounds_, tile.sums_, bounds, bounds, layout_.stride());
-    if (layout_.chief) {
-        tile.chief_.resize(pixel_count(bounds));
-        copy_window(chief_, bounds_, tile.chief_, bounds, bounds, 1);
-    }
+    const std::size_t chief_channels = layout_.passes.chief_channels();
+    tile.chief_.resize(pixel_count(bounds) * chief_channels);
+    copy_window(chief_, bounds_, tile.chief_, bounds, bounds, chief_channels);
     return tile;
 }
 
@@ -105,40 +105,34 @@ void Film::put(const FilmTile& tile)
     for (std::size_t i = 0; i < fates_.count.size(); ++i) {
         fates_.count[i] += tile.fates_.count[i];
     }
-    if (layout_.chief) {
-        copy_window(tile.chief_, tile.bounds_, chief_, bounds_, tile.bounds_, 1);
-    }
+    copy_window(tile.chief_, tile.bounds_, chief_, bounds_, tile.bounds_,
+                layout_.passes.chief_channels());
 }
 
-void Film::write_mean(std::vector<float>& pixels, std::size_t first, std::size_t channels) const
+double Film::mean(const double* sums, Pass pass, std::size_t channel) const
 {
+    const bool is_light = info(pass).source == PassSource::Light && channel < 3;
+    const std::size_t first =
+        pass == Pass::Combined ? combined_sums
+                               : pass_sums + static_cast<std::size_t>(layout_.passes.first(pass));
+    const double scale = is_light ? layout_.efficiency.value_or(1.0) : 1.0;
+    return scale * sums[first + channel] /
+           divisor(sums[is_light ? weight_of(channel) : weight_sum]);
+}
+
+void Film::write(std::vector<float>& pixels, Pass pass) const
+{
+    const std::size_t channels = info(pass).channels();
+    const std::optional<Pass> color = info(pass).divisor;
     float* out = pixels.data();
     for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
-        const double weight = divisor(sums_[i + weight_sum]);
         for (std::size_t channel = 0; channel < channels; ++channel) {
-            *out++ = static_cast<float>(sums_[i + first + channel] / weight);
-        }
-    }
-}
-
-void Film::write_combined(std::vector<float>& pixels) const
-{
-    float* out = pixels.data();
-    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
-        for (std::size_t channel = 0; channel < rgba; ++channel) {
-            const double weight = divisor(sums_[i + weight_of(channel)]);
-            const double scale = channel < 3 ? layout_.efficiency.value_or(1.0) : 1.0;
-            *out++ = static_cast<float>(scale * sums_[i + combined_sums + channel] / weight);
-        }
-    }
-}
-
-void Film::write_sample_weight(std::vector<float>& pixels) const
-{
-    float* out = pixels.data();
-    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
-        for (std::size_t channel = 0; channel < rgba; ++channel) {
-            *out++ = static_cast<float>(sums_[i + weight_of(channel)]);
+            double value = pass == Pass::SampleWeight ? sums_[i + weight_of(channel)]
+                                                      : mean(sums_.data() + i, pass, channel);
+            if (color) {
+                value /= divisor(mean(sums_.data() + i, *color, channel));
+            }
+            *out++ = static_cast<float>(value);
         }
     }
 }
@@ -165,17 +159,14 @@ std::vector<PassImage> Film::snapshot(std::span<const Pass> passes) const
                         .width = bounds_.width(),
                         .height = bounds_.height(),
                         .pixels = std::vector<float>(pixel_count(bounds_) * channels)};
-        const auto write_chief = [&](float ChiefSample::*member) {
-            std::ranges::transform(chief_, image.pixels.begin(), member);
-        };
-        switch (pass) {
-        case Pass::Combined: write_combined(image.pixels); break;
-        case Pass::Normal: write_mean(image.pixels, normal_sums, channels); break;
-        case Pass::Albedo: write_mean(image.pixels, albedo_sums, channels); break;
-        case Pass::Depth: write_chief(&ChiefSample::depth); break;
-        case Pass::Defocus: write_chief(&ChiefSample::defocus_d); break;
-        case Pass::Blur: write_chief(&ChiefSample::blur_arcmin); break;
-        case Pass::SampleWeight: write_sample_weight(image.pixels); break;
+        if (info(pass).source == PassSource::Chief) {
+            const auto first = static_cast<std::size_t>(layout_.passes.first(pass));
+            for (std::size_t i = 0; i < pixel_count(bounds_); ++i) {
+                std::copy_n(chief_.data() + i * layout_.passes.chief_channels() + first, channels,
+                            image.pixels.data() + i * channels);
+            }
+        } else {
+            write(image.pixels, pass);
         }
         images.push_back(std::move(image));
     }

@@ -8,7 +8,7 @@
 
 #include "render/camera.h"
 #include "render/integrator.h"
-#include "render/passes.h"
+#include "render/pass_layout.h"
 
 #include <array>
 #include <cstdint>
@@ -33,13 +33,7 @@ struct PathSample {
     V3d channel_weight{1.0};
     RayFate fate = RayFate::Transmitted;
     PathRadiance light;  // of a lost ray: black and opaque, as the inside of the eye is
-};
-
-// What the ray through the centres of pixel and pupil met, for the passes that are not means.
-struct ChiefSample {
-    float depth = background_depth;
-    float defocus_d = 0.0f;
-    float blur_arcmin = 0.0f;
+    std::span<const float> values{};  // of the layout's passes; none of a lost ray
 };
 
 struct PassImage {
@@ -52,18 +46,17 @@ struct PassImage {
 // What the film keeps for a pixel: only what some pass of the plan needs is allocated. And what
 // becomes of light that the eye loses.
 struct FilmLayout {
-    bool first_surface = false;
-    bool chief = false;
+    PassLayout passes{};
     bool chromatic = false;
     // Nothing: the picture keeps its brightness, as seeing does; lost rays are counted and left
     // out of the means. A number: what part of the light counts; the picture darkens to it, and
     // by the lost rays, which are black.
     std::optional<double> efficiency{};
 
-    // Sums a pixel: weight, RGB, alpha, and on request normal and albedo, and the channels'
-    // weights.
+    // Sums a pixel: weight, RGB, alpha, the channels of the passes, and with a chromatic film the
+    // channels' weights.
     [[nodiscard]] std::size_t stride() const { return channel_weights() + (chromatic ? 3 : 0); }
-    [[nodiscard]] std::size_t channel_weights() const { return first_surface ? 11 : 5; }
+    [[nodiscard]] std::size_t channel_weights() const { return 5 + passes.channels(); }
 };
 
 // How many rays the eye sent out, by what became of them in it.
@@ -83,7 +76,8 @@ struct RayFates {
 class FilmTile {
 public:
     void add(const PathSample& sample);
-    void set(int x, int y, const ChiefSample& chief);
+    // Of the chief ray: one value a channel of the layout's.
+    void set(int x, int y, std::span<const float> chief);
     [[nodiscard]] const PixelBounds& bounds() const { return bounds_; }
 
 private:
@@ -92,7 +86,7 @@ private:
     PixelBounds bounds_;
     FilmLayout layout_;
     std::vector<double> sums_;
-    std::vector<ChiefSample> chief_;
+    std::vector<float> chief_;
     RayFates fates_;  // of the samples added
 };
 
@@ -113,9 +107,10 @@ public:
     [[nodiscard]] RayFates fates() const;
 
 private:
-    void write_mean(std::vector<float>& pixels, std::size_t first, std::size_t channels) const;
-    void write_combined(std::vector<float>& pixels) const;
-    void write_sample_weight(std::vector<float>& pixels) const;
+    void write(std::vector<float>& pixels, Pass pass) const;
+    // The mean over the samples of channel `channel` of the pass, of the pixel whose sums begin at
+    // `sums`.
+    [[nodiscard]] double mean(const double* sums, Pass pass, std::size_t channel) const;
 
     // Where a pixel keeps the sum of the weights that went into a channel of Combined.
     [[nodiscard]] std::size_t weight_of(std::size_t channel) const;
@@ -123,7 +118,7 @@ private:
     PixelBounds bounds_;
     FilmLayout layout_;
     std::vector<double> sums_;
-    std::vector<ChiefSample> chief_;
+    std::vector<float> chief_;
     RayFates fates_;
     mutable std::mutex mutex_;
 };

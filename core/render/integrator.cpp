@@ -1,5 +1,8 @@
 #include "render/integrator.h"
 
+#include "render/multiple_importance.h"
+#include "render/surface_passes.h"
+
 #include <array>
 #include <cmath>
 #include <utility>
@@ -11,40 +14,13 @@ namespace {
 // Surfaces before roulette starts: the first two carry most of the picture.
 constexpr int roulette_start = 2;
 
-// From clear of the surface to the light's own place: a ray that kept the direction from the
-// surface would miss that place by the offset.
-Ray shadow_ray(const SurfaceHit& hit, const IncomingLight& light)
-{
-    Ray ray{.origin = hit.origin_towards(light.wi), .direction = light.wi};
-    if (std::isfinite(light.distance)) {
-        const V3f to_light = hit.p_world + light.wi * light.distance - ray.origin;
-        ray.t_max = to_light.length();
-        ray.direction = to_light / ray.t_max;
-    }
-    return ray;
-}
-
-float power_heuristic(float pdf, float other_pdf)
-{
-    // As a ratio, so that squares of large densities (the sun's is 1e5) cannot overflow.
-    if (!(pdf > 0.0f)) {
-        return 0.0f;
-    }
-    const float ratio = other_pdf / pdf;
-    return 1.0f / (1.0f + ratio * ratio);
-}
-
-// The last place where the path was scattered, and how: what MIS compares with.
-struct Scattering {
-    LitPoint point;  // weighed unless is_delta
-    float pdf = 0.0f;
-    bool is_delta = true;  // the camera counts as one: no light sampling competes with its ray
-};
-
 class PathTracer {
 public:
-    PathTracer(const Scene& scene, const IntegratorSettings& settings, SampleSequence& sequence)
-        : scene_(scene), settings_(settings), sequence_(sequence)
+    PathTracer(const Scene& scene,
+               const IntegratorSettings& settings,
+               SampleSequence& sequence,
+               PassValues* values)
+        : scene_(scene), settings_(settings), sequence_(sequence), light_(values), values_(values)
     {
     }
 
@@ -66,6 +42,9 @@ public:
             if (path_.is_camera && cut_out(*hit, shaded)) {
                 break;
             }
+            if (values_ != nullptr && path_.depth == 0) {
+                note_surface(*values_, *hit, shaded, throughput_);
+            }
             add_emission(*hit, shaded.emission);
             if (path_.depth > settings_.max_bounces) {
                 // The ray after the last bounce only collects what shines by itself, through
@@ -82,9 +61,6 @@ public:
 
             const auto u = sequence_.next();
             const auto sample = shaded.bsdf.sample(u[2], V2f(u[0], u[1]));
-            if (settings_.first_surface && !(sample && sample->is_straight)) {
-                note_first_surface(*hit, shaded);
-            }
             if (!sample) {
                 break;
             }
@@ -96,6 +72,9 @@ public:
                 continue;
             }
             length_ += hit->t;
+            if (path_.depth == 0 && light_.wants_shares()) {
+                light_.scatter_first(scatter_shares(shaded.bsdf, *sample));
+            }
             note_scattering(*sample);
             std::swap(last_, here_);
             last_->point.p_world = hit->p_world;
@@ -107,7 +86,7 @@ public:
                 break;
             }
         }
-        return result_;
+        return light_.seen();
     }
 
 private:
@@ -136,21 +115,6 @@ private:
         }
     }
 
-    void add(const Color3f& contribution)
-    {
-        // False for NaN and infinity, too, which one bad texture pixel can bring.
-        if (max_component(contribution) > 0.0f &&
-            std::isfinite(contribution.x + contribution.y + contribution.z)) {
-            result_.radiance += contribution;
-        }
-    }
-
-    // MIS weight of light that a BSDF-sampled ray found and light sampling finds with `light_pdf`.
-    [[nodiscard]] float weight_against(float light_pdf) const
-    {
-        return last_->is_delta ? 1.0f : power_heuristic(last_->pdf, light_pdf);
-    }
-
     void add_lamps(const Ray& ray, float t_end)
     {
         if (path_.depth == 0) {
@@ -158,14 +122,10 @@ private:
         }
         scene_.visit_lamps(last_->point, ray.direction, travelled_, travelled_ + t_end,
                            [this](const LampContribution& lamp) {
-                               add(throughput_ * lamp.radiance * weight_against(lamp.pdf));
+                               light_.add(throughput_ * lamp.radiance *
+                                              last_->weight_against(lamp.pdf),
+                                          LightOrigin{}, path_.depth);
                            });
-    }
-
-    // A share of what the path sees is not in the picture.
-    void uncover(float share)
-    {
-        result_.alpha = std::max(0.0f, result_.alpha - share * luminance(throughput_));
     }
 
     // True where a holdout leaves nothing to be seen.
@@ -173,7 +133,7 @@ private:
     {
         const float share = hit.placement->is_holdout ? 1.0f : std::min(shaded.holdout, 1.0f);
         if (share > 0.0f) {
-            uncover(share);
+            light_.uncover(share * luminance(throughput_));
         }
         return share == 1.0f;
     }
@@ -182,19 +142,25 @@ private:
     {
         if (path_.depth == 0 && settings_.film_transparent) {
             // What straight passages took away stays in the picture as coverage.
-            uncover(1.0f);
+            light_.uncover(luminance(throughput_));
+            if (light_.wants_world_behind_film()) {
+                light_.add_behind_film(throughput_ * scene_.background(ray.direction, path_));
+            }
             return;
         }
         const float light_pdf =
             last_->is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_->point);
-        add(throughput_ * scene_.background(ray.direction, path_) * weight_against(light_pdf));
+        light_.add(throughput_ * scene_.background(ray.direction, path_) *
+                       last_->weight_against(light_pdf),
+                   LightOrigin{.is_world = true}, path_.depth);
     }
 
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
     {
         if (max_component(emission) > 0.0f) {
             const float light_pdf = last_->is_delta ? 0.0f : scene_.emitter_pdf(hit, last_->point);
-            add(throughput_ * emission * weight_against(light_pdf));
+            light_.add(throughput_ * emission * last_->weight_against(light_pdf), LightOrigin{},
+                       path_.depth);
         }
     }
 
@@ -224,7 +190,7 @@ private:
         if (light->casts_shadow) {
             contribution *= scene_.transmittance(shadow_ray(hit, *light), path_);
         }
-        add(contribution);
+        light_.add_lit(contribution, LightOrigin{}, path_.depth + 1, bsdf, light->wi);
     }
 
     // Square root of the throughput: paths are ended a little later than by throughput alone,
@@ -242,20 +208,11 @@ private:
         return true;
     }
 
-    void note_first_surface(const SurfaceHit& hit, const ShadedPoint& shaded)
-    {
-        if (has_first_surface_) {
-            return;
-        }
-        has_first_surface_ = true;
-        result_.normal = hit.point.ns;
-        result_.albedo = shaded.bsdf.albedo();
-    }
-
     const Scene& scene_;
     const IntegratorSettings& settings_;
     SampleSequence& sequence_;
-    PathRadiance result_;
+    PathLight light_;
+    PassValues* values_;
     Color3f throughput_{1.0f};
     std::array<Scattering, 2> scatterings_;
     Scattering* last_ = scatterings_.data();
@@ -264,7 +221,6 @@ private:
     float travelled_ = 0.0f;      // from the last scattering, through straight passages
     float length_ = 0.0f;         // of all of the path
     PathState path_;
-    bool has_first_surface_ = false;
 };
 
 }  // namespace
@@ -272,9 +228,10 @@ private:
 PathRadiance trace_path(const Scene& scene,
                         const IntegratorSettings& settings,
                         const Ray& camera_ray,
-                        SampleSequence& sequence)
+                        SampleSequence& sequence,
+                        PassValues* values)
 {
-    return PathTracer(scene, settings, sequence).trace(camera_ray);
+    return PathTracer(scene, settings, sequence, values).trace(camera_ray);
 }
 
 }  // namespace eye_render

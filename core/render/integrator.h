@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "render/path_light.h"
 #include "render/sample_sequence.h"
 #include "scene/scene.h"
 
@@ -13,24 +14,16 @@ namespace eye_render {
 struct IntegratorSettings {
     int max_bounces = 4;            // 0: what is lit directly; straight passages do not count
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
-    bool first_surface = false;     // normal and albedo are wanted
     // Width of a pixel at distance 1 along the view: what is finer is not seen by bump mapping.
     float pixel_slope = 0.0f;
 };
 
-struct PathRadiance {
-    Color3f radiance{0.0f};
-    float alpha = 1.0f;  // below 1 where a transparent film or a holdout shows
-    // Of the first surface, on request: its normal in world space, turned to the eye, and its
-    // albedo. Zero without a surface.
-    V3f normal{0.0f};
-    Color3f albedo{0.0f};
-};
-
-// Finite for every scene: what is not a number counts as no light.
+// Finite for every scene: what is not a number counts as no light. What passes other than Combined
+// want is added to `values`, if there are any.
 [[nodiscard]] PathRadiance trace_path(const Scene& scene,
                                       const IntegratorSettings& settings,
                                       const Ray& camera_ray,
-                                      SampleSequence& sequence);
+                                      SampleSequence& sequence,
+                                      PassValues* values = nullptr);
 
 }  // namespace eye_render

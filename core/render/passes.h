@@ -1,25 +1,64 @@
-// The one table of render passes; the film, the bindings and the add-on read it.
+// The one table of render passes; the film, the bindings and the add-on read it. Names are
+// Blender's.
 
 #pragma once
 
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace eye_render {
 
-enum class Pass { Combined, Depth, Normal, Albedo, Defocus, Blur, SampleWeight };
+enum class Pass {
+    Combined,
+    Depth,
+    Normal,
+    DiffuseDirect,
+    DiffuseIndirect,
+    DiffuseColor,
+    GlossyDirect,
+    GlossyIndirect,
+    GlossyColor,
+    TransmissionDirect,
+    TransmissionIndirect,
+    TransmissionColor,
+    VolumeDirect,
+    VolumeIndirect,
+    Emission,
+    Environment,
+    DenoisingAlbedo,
+    Defocus,
+    Blur,
+    SampleWeight,
+};
+
+inline constexpr std::size_t pass_count = static_cast<std::size_t>(Pass::SampleWeight) + 1;
+
+enum class PassSource {
+    // The mean over all samples of some of the light, channel by channel: blurred and filtered as
+    // Combined is, and part of its sum.
+    Light,
+    // The mean over all samples of what is there, whatever light falls on it: blurred and filtered
+    // as Combined is, so that it fits the picture at each pixel.
+    Surface,
+    // What the ray through the pixel's centre and the pupil's centre meets, which neither blur nor
+    // antialiasing mixes with its neighbours.
+    Chief,
+    // Of the film itself.
+    Film,
+};
 
 struct PassInfo {
     Pass pass;
     std::string_view name;
     std::string_view channel_ids;
-    // True: the mean over all samples, or what belongs to it. False: what the ray through the
-    // pixel's centre and the pupil's centre meets, which neither blur nor antialiasing mixes with
-    // its neighbours.
-    bool is_mean;
+    PassSource source;
+    // Light that a surface scattered is given without the surface's colour, as Blender has it: the
+    // mean of the light over the mean of this pass. Their product is part of Combined, and a mean.
+    std::optional<Pass> divisor{};
 
     [[nodiscard]] constexpr std::size_t channels() const { return channel_ids.size(); }
 };
@@ -28,22 +67,46 @@ struct PassInfo {
 inline constexpr float background_depth = 1e10f;
 
 inline constexpr std::array pass_table{
-    PassInfo{Pass::Combined, "Combined", "RGBA", true},
+    PassInfo{Pass::Combined, "Combined", "RGBA", PassSource::Light},
     // Distance along the viewing axis, scene units.
-    PassInfo{Pass::Depth, "Depth", "Z", false},
-    PassInfo{Pass::Normal, "Normal", "XYZ", true},
-    PassInfo{Pass::Albedo, "Albedo", "RGB", true},
+    PassInfo{Pass::Depth, "Depth", "Z", PassSource::Chief},
+    // In world space, turned to the eye.
+    PassInfo{Pass::Normal, "Normal", "XYZ", PassSource::Surface},
+    // Light by what the first surface did with it: direct if it came from a light, indirect if it
+    // was scattered before. Through straight passages the first surface is the next one.
+    PassInfo{Pass::DiffuseDirect, "Diffuse Direct", "RGB", PassSource::Light, Pass::DiffuseColor},
+    PassInfo{Pass::DiffuseIndirect, "Diffuse Indirect", "RGB", PassSource::Light,
+             Pass::DiffuseColor},
+    PassInfo{Pass::DiffuseColor, "Diffuse Color", "RGB", PassSource::Surface},
+    PassInfo{Pass::GlossyDirect, "Glossy Direct", "RGB", PassSource::Light, Pass::GlossyColor},
+    PassInfo{Pass::GlossyIndirect, "Glossy Indirect", "RGB", PassSource::Light, Pass::GlossyColor},
+    PassInfo{Pass::GlossyColor, "Glossy Color", "RGB", PassSource::Surface},
+    PassInfo{Pass::TransmissionDirect, "Transmission Direct", "RGB", PassSource::Light,
+             Pass::TransmissionColor},
+    PassInfo{Pass::TransmissionIndirect, "Transmission Indirect", "RGB", PassSource::Light,
+             Pass::TransmissionColor},
+    PassInfo{Pass::TransmissionColor, "Transmission Color", "RGB", PassSource::Surface},
+    // The same of light that a volume scattered first.
+    PassInfo{Pass::VolumeDirect, "Volume Direct", "RGB", PassSource::Light},
+    PassInfo{Pass::VolumeIndirect, "Volume Indirect", "RGB", PassSource::Light},
+    // Light that nothing scattered: of surfaces, and of the world, which a transparent film keeps
+    // here though not in Combined.
+    PassInfo{Pass::Emission, "Emission", "RGB", PassSource::Light},
+    PassInfo{Pass::Environment, "Environment", "RGB", PassSource::Light},
+    PassInfo{Pass::DenoisingAlbedo, "Denoising Albedo", "RGB", PassSource::Surface},
     // Mean of the paraxial E = K - I/x, dioptres: positive where the eye is focused nearer than
     // the surface.
-    PassInfo{Pass::Defocus, "Defocus", "X", false},
+    PassInfo{Pass::Defocus, "Defocus", "X", PassSource::Chief},
     // Major diameter of the paraxial blur ellipse, arcmin: of focus and astigmatism as next to the
     // axis, without aberrations of higher order.
-    PassInfo{Pass::Blur, "Blur", "X", false},
+    PassInfo{Pass::Blur, "Blur", "X", PassSource::Chief},
     // By what Combined was divided, channel by channel, and in A the other means: the number of
     // samples, unless wavelengths or points of the pupil count differently. Pictures I of sample
-    // ranges, with weights W, make the whole: sum(W I) / sum(W).
-    PassInfo{Pass::SampleWeight, "Sample Weight", "RGBA", true},
+    // ranges, with weights W, make the whole: sum(W I) / sum(W), if I is a mean.
+    PassInfo{Pass::SampleWeight, "Sample Weight", "RGBA", PassSource::Film},
 };
+
+static_assert(pass_table.size() == pass_count);
 
 [[nodiscard]] constexpr const PassInfo& info(Pass pass)
 {

@@ -132,10 +132,6 @@ RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
     plan.attributes = names_of(attributes_read(materials), scene.attribute_names);
     plan_lights(plan, scene);
     plan.passes = std::move(passes);
-    for (const Pass pass : plan.passes) {
-        plan.chief_ray = plan.chief_ray || !info(pass).is_mean;
-        plan.first_surface = plan.first_surface || pass == Pass::Normal || pass == Pass::Albedo;
-    }
     return plan;
 }
 

@@ -31,8 +31,6 @@ struct RenderPlan {
     bool chromatic = false;            // a wavelength for each path, if there is blur to show it
     bool stiles_crawford = false;      // the pupil is weighed, if there is blur to show it
     std::vector<Pass> passes;
-    bool chief_ray = false;      // some pass wants the ray through pixel and pupil centre
-    bool first_surface = false;  // some pass wants normal or albedo
 
     // One fact a line, for people.
     [[nodiscard]] std::string text() const;

@@ -24,11 +24,9 @@ std::uint32_t next_slice(std::uint32_t slice, std::chrono::duration<double> took
 
 Session::Session(RenderJob job, SessionSettings settings)
     : job_(std::move(job)), settings_(std::move(settings)),
-      film_(job_.frame.border,
-            {.first_surface = job_.integrator.first_surface,
-             .chief = settings_.chief_rays,
-             .chromatic = job_.chromatic,
-             .efficiency = settings_.efficiency})
+      film_(
+          job_.frame.border,
+          {.passes = job_.passes, .chromatic = job_.chromatic, .efficiency = settings_.efficiency})
 {
 }
 
@@ -68,7 +66,7 @@ void Session::run()
     std::optional<std::string> error;
     try {
         on_threads(settings_.threads, [this] {
-            if (settings_.chief_rays && !trace_chief_rays(job_, film_, cancelled_)) {
+            if (job_.passes.chief_channels() > 0 && !trace_chief_rays(job_, film_, cancelled_)) {
                 return;
             }
             std::uint32_t slice = 1;

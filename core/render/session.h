@@ -19,7 +19,6 @@ namespace eye_render {
 struct SessionSettings {
     SampleRange samples;
     std::vector<Pass> passes;
-    bool chief_rays = false;             // some pass needs them
     std::optional<double> efficiency{};  // as FilmLayout has it
     int threads = 0;                     // at most; 0: all the processor has
 };

@@ -48,7 +48,11 @@ bool for_each_tile(Film& film, const std::atomic<bool>& cancelled, const Work& w
     return !cancelled.load();
 }
 
-PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number)
+PathSample trace_sample(const RenderJob& job,
+                        int x,
+                        int y,
+                        std::uint32_t number,
+                        PassValues* values)
 {
     const auto pixel =
         static_cast<std::uint64_t>(y) * static_cast<std::uint64_t>(job.frame.width_px) +
@@ -81,7 +85,11 @@ PathSample trace_sample(const RenderJob& job, int x, int y, std::uint32_t number
     if (camera.fate == RayFate::Transmitted) {
         sample.slope = camera.slope;
         sample.weight *= camera.weight;
-        sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence);
+        if (values != nullptr) {
+            values->clear();
+            sample.values = values->channels();
+        }
+        sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence, values);
     }
     return sample;
 }
@@ -101,6 +109,22 @@ double chief_depth(const Scene& scene,
     return std::numeric_limits<double>::infinity();
 }
 
+// Fills the values of the passes that the chief ray of one pixel tells.
+void trace_chief_ray(const RenderJob& job, const V2d& raster, std::vector<float>& values)
+{
+    const double depth =
+        chief_depth(*job.scene, job.frame, *job.eye, job.frame.chief_slope(raster));
+    const PowerMatrix e = job.eye->error_d(1.0 / (depth * job.frame.metres_per_unit));
+    const auto set = [&](Pass pass, double value) {
+        if (job.passes.has(pass)) {
+            values[static_cast<std::size_t>(job.passes.first(pass))] = static_cast<float>(value);
+        }
+    };
+    set(Pass::Depth, std::min(depth, static_cast<double>(background_depth)));
+    set(Pass::Defocus, e.mean_d());
+    set(Pass::Blur, arcmin_from_rad(job.eye->pupil_diameter_m() * e.largest_magnitude_d()));
+}
+
 }  // namespace
 
 void on_threads(int threads, const std::function<void()>& work)
@@ -117,6 +141,8 @@ bool trace_samples(const RenderJob& job,
 {
     return for_each_tile(film, cancelled, [&](FilmTile& tile) {
         const PixelBounds& bounds = tile.bounds();
+        PassValues values(job.passes);
+        PassValues* const wanted = job.passes.channels() > 0 ? &values : nullptr;
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
                 // Within a pixel all samples or none, so that a cancelled picture has no gaps.
@@ -124,7 +150,7 @@ bool trace_samples(const RenderJob& job,
                     return;
                 }
                 for (std::uint32_t number = range.first; number < range.last; ++number) {
-                    tile.add(trace_sample(job, x, y, number));
+                    tile.add(trace_sample(job, x, y, number, wanted));
                 }
             }
         }
@@ -135,16 +161,11 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
 {
     return for_each_tile(film, cancelled, [&](FilmTile& tile) {
         const PixelBounds& bounds = tile.bounds();
+        std::vector<float> values(job.passes.chief_channels());
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
-                const double depth = chief_depth(*job.scene, job.frame, *job.eye,
-                                                 job.frame.chief_slope(V2d(x + 0.5, y + 0.5)));
-                const PowerMatrix e = job.eye->error_d(1.0 / (depth * job.frame.metres_per_unit));
-                tile.set(x, y,
-                         {.depth = std::min(static_cast<float>(depth), background_depth),
-                          .defocus_d = static_cast<float>(e.mean_d()),
-                          .blur_arcmin = static_cast<float>(arcmin_from_rad(
-                              job.eye->pupil_diameter_m() * e.largest_magnitude_d()))});
+                trace_chief_ray(job, V2d(x + 0.5, y + 0.5), values);
+                tile.set(x, y, values);
             }
         }
     });

@@ -33,6 +33,7 @@ struct RenderJob {
     bool chromatic = false;
     std::optional<StilesCrawford> stiles_crawford{};  // nothing: all of the pupil counts the same
     IntegratorSettings integrator;
+    PassLayout passes{};
     PixelFilter filter{1.5};
     std::uint64_t seed = 0;
 };

@@ -21,7 +21,6 @@ Bsdf& Bsdf::operator=(const Bsdf& other)
     if (this != &other) {
         wo_ = other.wo_;
         ng_ = other.ng_;
-        albedo_ = other.albedo_;
         importance_ = other.importance_;
         count_ = other.count_;
         has_finite_lobe_ = other.has_finite_lobe_;
@@ -32,7 +31,7 @@ Bsdf& Bsdf::operator=(const Bsdf& other)
     return *this;
 }
 
-void Bsdf::add(const Lobe& lobe, const Color3f& albedo)
+void Bsdf::add(const Lobe& lobe, const Color3f& albedo, const Color3f& transmitted)
 {
     const float importance = (albedo.x + albedo.y + albedo.z) / 3.0f;
     if (!(importance > 0.0f)) {
@@ -44,10 +43,48 @@ void Bsdf::add(const Lobe& lobe, const Color3f& albedo)
     transmits_ |= !is_delta && lobe.transmits();
     const auto i = static_cast<std::size_t>(count_++);
     lobes_[i] = lobe;
-    shares_[i] = {importance, is_delta};
-    if (lobe.kind != LobeKind::Straight) {
-        albedo_ += albedo;
+    shares_[i] = {importance, is_delta, albedo, transmitted};
+}
+
+void Bsdf::add_part(BsdfParts& parts,
+                    const Lobe& lobe,
+                    const Color3f& value,
+                    const Color3f& transmitted)
+{
+    if (lobe.is_diffuse()) {
+        parts.diffuse += value;
+    } else if (lobe.kind == LobeKind::Refraction) {
+        parts.transmission += value;
+    } else if (lobe.kind != LobeKind::Straight) {
+        parts.glossy += value - transmitted;
+        parts.transmission += transmitted;
     }
+}
+
+BsdfParts Bsdf::albedos() const
+{
+    BsdfParts sum;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        add_part(sum, lobes_[i], shares_[i].albedo, shares_[i].transmitted);
+    }
+    return sum;
+}
+
+Color3f Bsdf::albedo() const
+{
+    const BsdfParts all = albedos();
+    return all.diffuse + all.glossy + all.transmission;
+}
+
+Color3f Bsdf::straight() const
+{
+    Color3f sum(0.0f);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        if (lobes_[i].kind == LobeKind::Straight) {
+            sum += lobes_[i].weight;
+        }
+    }
+    return sum;
 }
 
 BsdfValue Bsdf::evaluate(const V3f& wi) const
@@ -66,6 +103,19 @@ BsdfValue Bsdf::evaluate(const V3f& wi) const
         sum.pdf += one.pdf * shares_[i].importance;
     }
     sum.pdf /= importance_;
+    return sum;
+}
+
+BsdfParts Bsdf::parts(const V3f& wi) const
+{
+    BsdfParts sum;
+    const bool transmitted = ng_.dot(wi) < 0.0f;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        if (!shares_[i].is_delta) {
+            const Color3f value = eye_render::evaluate(lobes_[i], wo_, wi, transmitted).value;
+            add_part(sum, lobes_[i], value, transmitted ? value : Color3f(0.0f));
+        }
+    }
     return sum;
 }
 

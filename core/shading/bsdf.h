@@ -27,6 +27,13 @@ struct BsdfSample {
     bool is_diffuse = false;      // drawn from a wide lobe, not a glossy one
 };
 
+// Something of a mixture by kinds of lobes: what passes straight through is in none of them.
+struct BsdfParts {
+    Color3f diffuse{0.0f};
+    Color3f glossy{0.0f};  // what glass reflects included
+    Color3f transmission{0.0f};
+};
+
 class Bsdf {
 public:
     // Lobes it holds at most.
@@ -43,16 +50,22 @@ public:
 
     // `albedo` is what the lobe does with light from all around, and decides how often it is
     // sampled: it may be approximate, but zero only where the lobe is. A lobe without is left out.
-    void add(const Lobe& lobe, const Color3f& albedo);
+    // `transmitted` is the part of it that a glass lets pass.
+    void add(const Lobe& lobe, const Color3f& albedo, const Color3f& transmitted = Color3f(0.0f));
 
     [[nodiscard]] BsdfValue evaluate(const V3f& wi) const;
+    // The value by kinds of lobes.
+    [[nodiscard]] BsdfParts parts(const V3f& wi) const;
 
     // `u_lobe` and both of `u` in [0, 1). Nothing if the light that was drawn is absorbed or
     // would leave through the wrong side of the surface: the path ends.
     [[nodiscard]] std::optional<BsdfSample> sample(float u_lobe, const V2f& u) const;
 
     // Fraction of light that goes anywhere but straight through: approximate.
-    [[nodiscard]] Color3f albedo() const { return albedo_; }
+    [[nodiscard]] BsdfParts albedos() const;
+    [[nodiscard]] Color3f albedo() const;
+    // What passes straight through.
+    [[nodiscard]] Color3f straight() const;
 
     // True if next-event estimation has nothing to find: `evaluate` is zero everywhere.
     [[nodiscard]] bool is_delta_only() const { return !has_finite_lobe_; }
@@ -64,11 +77,18 @@ private:
     struct Share {
         float importance;
         bool is_delta;
+        Color3f albedo;
+        Color3f transmitted;  // of glass
     };
+
+    // Adds what the lobe has to its kind's part.
+    static void add_part(BsdfParts& parts,
+                         const Lobe& lobe,
+                         const Color3f& value,
+                         const Color3f& transmitted);
 
     V3f wo_;
     V3f ng_;
-    Color3f albedo_{0.0f};
     float importance_ = 0.0f;
     int count_ = 0;
     bool has_finite_lobe_ = false;

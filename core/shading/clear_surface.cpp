@@ -54,7 +54,7 @@ void tint(Lobe& lobe, const Boundary& boundary, LobeKind tinted)
     if (lobe.film_thickness_nm > 0.0f) {
         Lobe unit = lobe;
         unit.weight = Color3f(1.0f);
-        return facet_albedo(unit, surface.cos_o);
+        return facet_albedo(unit, surface.cos_o).reflected;
     }
     return blend_to_white(lobe.f0, blend);
 }
@@ -107,7 +107,7 @@ void add_glass(Bsdf& bsdf,
         tint(lobe, boundary, LobeKind::TintedGlass);
     }
     // As of smooth glass.
-    Color3f albedo = facet_albedo(lobe, surface.cos_o);
+    FacetAlbedo albedo = facet_albedo(lobe, surface.cos_o);
     if (is_compensated(lobe, surface)) {
         // Most light passes, so its colour stands for that of the bounces in between.
         const Compensation c =
@@ -115,9 +115,10 @@ void add_glass(Bsdf& bsdf,
                        unit_range(transmission));
         lobe.weight *= c.factor;
         lobe.second_weight *= c.factor;
-        albedo *= c.albedo;
+        albedo.reflected *= c.albedo;
+        albedo.transmitted *= c.albedo;
     }
-    bsdf.add(lobe, albedo);
+    bsdf.add(lobe, albedo.reflected + albedo.transmitted, albedo.transmitted);
 }
 
 void add_refraction(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color, float ior)

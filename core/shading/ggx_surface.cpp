@@ -91,7 +91,7 @@ void add_conductor(Bsdf& bsdf,
     const Color3f f82 = fresnel_conductor(1.0f / 7.0f, index, extinction);
     const Color3f edge = f82_edge(f0, f82 / blend_to_white(f0, schlick_blend(1.0f / 7.0f)));
     add_reflection(bsdf, lobe, surface, unit_range(mean_f82_fresnel(f0, edge)),
-                   facet_albedo(lobe, surface.cos_o));
+                   facet_albedo(lobe, surface.cos_o).reflected);
 }
 
 }  // namespace eye_render

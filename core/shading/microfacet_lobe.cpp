@@ -130,10 +130,10 @@ bool is_delta_microfacet(const Lobe& lobe)
     return is_smooth || (lobe.transmits() && std::abs(lobe.ior - 1.0f) < matched_ior);
 }
 
-Color3f facet_albedo(const Lobe& lobe, float cos_facet)
+FacetAlbedo facet_albedo(const Lobe& lobe, float cos_facet)
 {
     const Split split = split_at_facet(lobe, std::clamp(cos_facet, 0.0f, 1.0f));
-    return split.reflected + split.transmitted;
+    return {.reflected = split.reflected, .transmitted = split.transmitted};
 }
 
 BsdfValue evaluate_microfacet(const Lobe& lobe, const V3f& wo, const V3f& wi, bool transmitted)

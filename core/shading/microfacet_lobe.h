@@ -24,8 +24,13 @@ namespace eye_render {
                                                           float u_choice,
                                                           const V2f& u);
 
-// What facets do to light that leaves them under `cos_facet`, reflected and transmitted together
-// and weighed: the albedo of a smooth surface.
-[[nodiscard]] Color3f facet_albedo(const Lobe& lobe, float cos_facet);
+// What facets do to light that leaves them under `cos_facet`, weighed: the albedo of a smooth
+// surface.
+struct FacetAlbedo {
+    Color3f reflected;
+    Color3f transmitted;
+};
+
+[[nodiscard]] FacetAlbedo facet_albedo(const Lobe& lobe, float cos_facet);
 
 }  // namespace eye_render

@@ -105,7 +105,7 @@ def test_every_enabled_pass_arrives_in_the_file(scene, tmp_path):
     view_layer = scene.view_layers[0]
     view_layer.use_pass_z = view_layer.use_pass_normal = True
     switches = view_layer.eye_render
-    switches.use_pass_albedo = switches.use_pass_defocus = switches.use_pass_blur = True
+    switches.denoising_store_passes = switches.use_pass_defocus = switches.use_pass_blur = True
     write_multilayer(scene, str(tmp_path / "passes.exr"))
     bpy.ops.render.render(write_still=True)
     average = {
@@ -115,7 +115,7 @@ def test_every_enabled_pass_arrives_in_the_file(scene, tmp_path):
     assert average["Combined.R"] == pytest.approx(1.0, rel=1e-3)
     assert average["Depth.Z"] == pytest.approx(2.0, rel=1e-3)
     assert average["Normal.Z"] == pytest.approx(1.0, rel=1e-3)
-    assert average["Albedo.R"] == pytest.approx(0.0)
+    assert average["Denoising Albedo.R"] == pytest.approx(0.0)
     assert average["Defocus.X"] == pytest.approx(-0.5, rel=1e-3)  # a relaxed eye, 2 m away
     assert average["Blur.X"] == pytest.approx(0.5 * PUPIL_MM * ARCMIN_PER_MM_D, rel=1e-3)
 

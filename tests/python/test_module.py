@@ -47,7 +47,7 @@ def test_render_gives_each_pass_as_an_array_of_its_shape() -> None:
     assert images["Combined"][:, :, :3].mean() == pytest.approx(0.5, abs=0.02)
     assert images["Depth"] == pytest.approx(2.0, abs=1e-5)
     assert images["Normal"][4, 8] == pytest.approx([0.0, 0.0, 1.0], abs=1e-6)
-    assert images["Albedo"] == pytest.approx(0.5, abs=1e-6)
+    assert images["Denoising Albedo"] == pytest.approx(0.5, abs=1e-6)
     assert (images["Sample Weight"] == 4.0).all()
 
 
@@ -233,12 +233,12 @@ def test_sample_ranges_merge_into_the_whole_with_every_pattern(
             chromatic=chromatic,
             stiles_crawford=stiles_crawford,
             film_transparent=True,
-            passes=["Combined", "Albedo", "Sample Weight"],
+            passes=["Combined", "Denoising Albedo", "Sample Weight"],
         )
         observer = eyecore.Observer(rx="-12.00DS", pupil=6)
         passes = eyecore.render(scene, observer, settings)
         weight = passes["Sample Weight"].astype(np.float64)
-        return passes["Combined"], passes["Albedo"], weight
+        return passes["Combined"], passes["Denoising Albedo"], weight
 
     whole_picture, whole_albedo, whole_weight = part(None)
     parts = [part((0, 3)), part((3, 20)), part((20, 32))]

@@ -111,13 +111,13 @@ TEST(Film, pictures_of_parts_merge_by_their_sample_weights)
 
 TEST(Film, shows_chief_samples_as_they_are)
 {
-    Film film({0, 0, 1, 1}, {.chief = true});
+    const Pass passes[] = {Pass::Depth, Pass::Defocus, Pass::Blur};
+    Film film({0, 0, 1, 1}, {.passes = PassLayout(passes)});
     FilmTile tile = film.take({0, 0, 1, 1});
-    tile.set(0, 0, {.depth = 3.0f, .defocus_d = -2.0f, .blur_arcmin = 27.5f});
+    tile.set(0, 0, std::array{3.0f, -2.0f, 27.5f});
     tile.add(sample_at(0, 0, 1.0f));
     tile.add(sample_at(0, 0, 1.0f));
     film.put(tile);
-    const Pass passes[] = {Pass::Depth, Pass::Defocus, Pass::Blur};
     const auto images = film.snapshot(passes);
     EXPECT_EQ(images[0].pixels, std::vector<float>{3.0f});
     EXPECT_EQ(images[1].pixels, std::vector<float>{-2.0f});

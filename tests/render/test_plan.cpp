@@ -40,7 +40,6 @@ TEST(Plan, plain_scene_without_images_starts_nothing)
     EXPECT_FALSE(plan.environment_table);
     EXPECT_FALSE(plan.transparent_shadows);
     EXPECT_FALSE(plan.emissive_meshes);
-    EXPECT_FALSE(plan.chief_ray);
     EXPECT_NE(plan.text().find("OpenImageIO not started"), std::string::npos);
     EXPECT_FALSE(data.textures.started());
 }
@@ -117,8 +116,6 @@ TEST(Plan, textured_glass_under_a_picture_of_the_sky)
     EXPECT_EQ(plan.uv_layers, std::vector<std::string>{"UVMap"});
     EXPECT_TRUE(plan.environment_table);
     EXPECT_TRUE(plan.transparent_shadows);
-    EXPECT_TRUE(plan.chief_ray);
-    EXPECT_TRUE(plan.first_surface);
 }
 
 TEST(Plan, instances_and_lights_are_counted)

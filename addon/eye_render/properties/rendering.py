@@ -75,8 +75,18 @@ class EyeRenderScene(PropertyGroup):
 class EyeRenderPasses(PropertyGroup):
     """The passes that Blender has no switch for."""
 
-    use_pass_albedo: BoolProperty(
-        name="Albedo", description="Deliver the colour of surfaces without light"
+    denoising_store_passes: BoolProperty(
+        name="Denoising Data",
+        description="Deliver the colour and the normal of surfaces, which the Denoise node of the "
+        "compositor asks for",
+    )
+    use_pass_volume_direct: BoolProperty(
+        name="Volume Direct",
+        description="Deliver the light of lamps that a volume scattered to the eye",
+    )
+    use_pass_volume_indirect: BoolProperty(
+        name="Volume Indirect",
+        description="Deliver the other light that a volume scattered to the eye",
     )
     use_pass_defocus: BoolProperty(
         name="Defocus",

@@ -2,7 +2,7 @@
 
 from bpy.types import Panel
 
-from .. import batch
+from .. import batch, passes
 from .tabs import RenderTab, Tab, split_column
 
 
@@ -39,11 +39,8 @@ class EYE_RENDER_PT_passes(Tab, Panel):
     def draw(self, context):
         view_layer = context.view_layer
         column = split_column(self.layout)
-        column.prop(view_layer, "use_pass_z")
-        column.prop(view_layer, "use_pass_normal")
-        column.prop(view_layer.eye_render, "use_pass_albedo")
-        column.prop(view_layer.eye_render, "use_pass_defocus")
-        column.prop(view_layer.eye_render, "use_pass_blur")
+        for switch, holder in passes.switches(view_layer).items():
+            column.prop(holder, switch)
 
 
 classes = (EYE_RENDER_PT_sampling, EYE_RENDER_PT_film, EYE_RENDER_PT_passes)

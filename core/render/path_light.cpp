@@ -1,0 +1,66 @@
+#include "render/path_light.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace eye_render {
+
+namespace {
+
+[[nodiscard]] float share_of(float part, float whole)
+{
+    return whole > 0.0f ? part / whole : 0.0f;
+}
+
+[[nodiscard]] Color3f share_of(const Color3f& part, const Color3f& whole)
+{
+    return {share_of(part.x, whole.x), share_of(part.y, whole.y), share_of(part.z, whole.z)};
+}
+
+}  // namespace
+
+ScatterShares scatter_shares(const Bsdf& bsdf, const V3f& wi)
+{
+    const BsdfParts parts = bsdf.parts(wi);
+    const Color3f whole = parts.diffuse + parts.glossy + parts.transmission;
+    return {.diffuse = share_of(parts.diffuse, whole), .glossy = share_of(parts.glossy, whole)};
+}
+
+ScatterShares scatter_shares(const Bsdf& bsdf, const BsdfSample& sample)
+{
+    if (sample.is_delta) {
+        return {.glossy = Color3f(sample.is_transmitted ? 0.0f : 1.0f)};
+    }
+    return scatter_shares(bsdf, sample.wi);
+}
+
+void PathLight::add(const Color3f& contribution,
+                    const LightOrigin& origin,
+                    int bounces,
+                    const ScatterShares& first)
+{
+    // False for NaN and infinity, too, which one bad texture pixel can bring.
+    if (!(max_component(contribution) > 0.0f &&
+          std::isfinite(contribution.x + contribution.y + contribution.z))) {
+        return;
+    }
+    seen_.radiance += contribution;
+    if (values_ == nullptr) {
+        return;
+    }
+    if (bounces == 0) {
+        values_->add(origin.is_world ? Pass::Environment : Pass::Emission, contribution);
+    } else if (values_->layout().has_scattered_light()) {
+        const bool is_direct = bounces == 1;
+        const Color3f diffuse = contribution * first.diffuse;
+        const Color3f glossy = contribution * first.glossy;
+        const Color3f volume = contribution * first.volume;
+        values_->add(is_direct ? Pass::DiffuseDirect : Pass::DiffuseIndirect, diffuse);
+        values_->add(is_direct ? Pass::GlossyDirect : Pass::GlossyIndirect, glossy);
+        values_->add(is_direct ? Pass::VolumeDirect : Pass::VolumeIndirect, volume);
+        values_->add(is_direct ? Pass::TransmissionDirect : Pass::TransmissionIndirect,
+                     contribution - diffuse - glossy - volume);
+    }
+}
+
+}  // namespace eye_render

@@ -1,0 +1,91 @@
+// Where the light of a path is put down: in Combined, and in the passes that tell it apart by
+// where it came from and by what scattered it first. Each contribution goes to one of Emission,
+// Environment, or the direct or indirect light of diffuse, glossy, transmission and volume, in
+// shares that add up to it: the passes add up to Combined.
+
+#pragma once
+
+#include "render/pass_layout.h"
+#include "shading/bsdf.h"
+
+namespace eye_render {
+
+struct PathRadiance {
+    Color3f radiance{0.0f};
+    float alpha = 1.0f;  // below 1 where a transparent film or a holdout shows
+};
+
+// What shines: the world, or a lamp or surface.
+struct LightOrigin {
+    bool is_world = false;
+};
+
+// By what light was scattered, in shares of each channel that add up to 1. What is neither of
+// these was transmitted.
+struct ScatterShares {
+    Color3f diffuse{0.0f};
+    Color3f glossy{0.0f};
+    Color3f volume{0.0f};
+};
+
+// Of light from `wi`: as the lobes weigh there.
+[[nodiscard]] ScatterShares scatter_shares(const Bsdf& bsdf, const V3f& wi);
+// Of light from where the sample points; of a delta lobe it is the lobe's own.
+[[nodiscard]] ScatterShares scatter_shares(const Bsdf& bsdf, const BsdfSample& sample);
+
+class PathLight {
+public:
+    // Without `values` only Combined is wanted.
+    explicit PathLight(PassValues* values) : values_(values) {}
+
+    // Whether scatter_first must be told of the path's first scattering.
+    [[nodiscard]] bool wants_shares() const
+    {
+        return values_ != nullptr && values_->layout().has_scattered_light();
+    }
+    void scatter_first(const ScatterShares& shares) { first_ = shares; }
+
+    // Light that came to the eye by way of `bounces` scatterings, weight and throughput included.
+    // What is not finite, or not positive, counts as none.
+    void add(const Color3f& contribution, const LightOrigin& origin, int bounces)
+    {
+        add(contribution, origin, bounces, first_);
+    }
+    // The same of light from `wi` that the surface at the path's end scatters.
+    void add_lit(const Color3f& contribution,
+                 const LightOrigin& origin,
+                 int bounces,
+                 const Bsdf& bsdf,
+                 const V3f& wi)
+    {
+        const bool is_first = bounces == 1 && wants_shares();
+        add(contribution, origin, bounces, is_first ? scatter_shares(bsdf, wi) : first_);
+    }
+
+    // The world behind a transparent film: in its pass, though in no sum.
+    [[nodiscard]] bool wants_world_behind_film() const
+    {
+        return values_ != nullptr && values_->layout().has(Pass::Environment);
+    }
+    void add_behind_film(const Color3f& contribution)
+    {
+        values_->add(Pass::Environment, contribution);
+    }
+
+    // A share of what the path sees is not in the picture.
+    void uncover(float share) { seen_.alpha = std::max(0.0f, seen_.alpha - share); }
+
+    [[nodiscard]] const PathRadiance& seen() const { return seen_; }
+
+private:
+    void add(const Color3f& contribution,
+             const LightOrigin& origin,
+             int bounces,
+             const ScatterShares& first);
+
+    PassValues* values_;
+    PathRadiance seen_;
+    ScatterShares first_;
+};
+
+}  // namespace eye_render
