@@ -1,6 +1,6 @@
 // eyecore.Settings, and the names that it takes.
 
-#include "api/observer.h"
+#include "api/render_settings.h"
 #include "bind_values.h"
 #include "module.h"
 
@@ -29,7 +29,11 @@ RenderSettings make_settings(std::uint32_t samples,
                              const std::vector<std::string>& passes,
                              int threads,
                              bool film_transparent,
+                             const std::optional<double>& film_glass_roughness,
+                             double exposure,
+                             const std::string& pixel_filter,
                              double filter_width_px,
+                             const LightPathLimits& limits,
                              bool chromatic,
                              const py::object& stiles_crawford)
 {
@@ -39,6 +43,7 @@ RenderSettings make_settings(std::uint32_t samples,
         settings.range = SampleRange{(*sample_range)[0], (*sample_range)[1]};
     }
     settings.max_bounces = max_bounces;
+    settings.limits = limits;
     settings.seed = seed;
     settings.pattern = named_of("pattern", pattern, pupil_pattern_kinds);
     settings.passes.clear();
@@ -51,10 +56,36 @@ RenderSettings make_settings(std::uint32_t samples,
     }
     settings.threads = threads;
     settings.film_transparent = film_transparent;
+    settings.film_glass_roughness = film_glass_roughness;
+    settings.exposure = exposure;
+    settings.filter = named_of("pixel_filter", pixel_filter, pixel_filter_kinds);
     settings.filter_width_px = filter_width_px;
     settings.chromatic = chromatic;
     settings.stiles_crawford = stiles_crawford_from(stiles_crawford);
     return settings;
+}
+
+LightPathLimits make_limits(int diffuse_bounces,
+                            int glossy_bounces,
+                            int transmission_bounces,
+                            int transparent_bounces,
+                            bool reflective_caustics,
+                            bool refractive_caustics,
+                            float filter_glossy,
+                            float clamp_direct,
+                            float clamp_indirect)
+{
+    const LightPathLimits limits{.diffuse_bounces = diffuse_bounces,
+                                 .glossy_bounces = glossy_bounces,
+                                 .transmission_bounces = transmission_bounces,
+                                 .transparent_bounces = transparent_bounces,
+                                 .reflective_caustics = reflective_caustics,
+                                 .refractive_caustics = refractive_caustics,
+                                 .filter_glossy = filter_glossy,
+                                 .clamp_direct = clamp_direct,
+                                 .clamp_indirect = clamp_indirect};
+    require_valid(limits);
+    return limits;
 }
 
 std::string settings_text(const RenderSettings& settings)
@@ -87,16 +118,37 @@ void bind_settings(py::module_& m)
         }
     }
     m.attr("PASSES") = passes;
+    m.attr("PIXEL_FILTERS") = names_of(pixel_filter_kinds);
     m.attr("STILES_CRAWFORD_MODES") = names_of(stiles_crawford_modes);
+
+    const LightPathLimits all;
+    py::class_<LightPathLimits>(m, "LightPathLimits",
+                                "What is left out of the paths of light; by default nothing.")
+        .def(py::init(&make_limits), py::kw_only(), "diffuse_bounces"_a = all.diffuse_bounces,
+             "glossy_bounces"_a = all.glossy_bounces,
+             "transmission_bounces"_a = all.transmission_bounces,
+             "transparent_bounces"_a = all.transparent_bounces, "reflective_caustics"_a = true,
+             "refractive_caustics"_a = true, "filter_glossy"_a = 0.0f, "clamp_direct"_a = 0.0f,
+             "clamp_indirect"_a = 0.0f,
+             "Bounces of a kind, at most, within max_bounces; surfaces that shadow rays pass\n"
+             "straight. filter_glossy: roughens what is met after a bounce of a density below "
+             "this.\n"
+             "clamp_direct, clamp_indirect: the most that light scattered once, or more often, "
+             "may\n"
+             "bring to a sample; 0 for no limit.");
 
     py::class_<RenderSettings>(m, "Settings", "How it is rendered.")
         .def(py::init(&make_settings), py::kw_only(), "samples"_a = 64, "max_bounces"_a = 8,
              "seed"_a = 0, "sample_range"_a = py::none(), "pattern"_a = "SOBOL",
              "passes"_a = std::vector<std::string>{"Combined"}, "threads"_a = 0,
-             "film_transparent"_a = false, "filter_width_px"_a = 1.5, "chromatic"_a = false,
-             "stiles_crawford"_a = "OFF",
+             "film_transparent"_a = false, "film_glass_roughness"_a = py::none(),
+             "exposure"_a = 1.0, "pixel_filter"_a = "BLACKMAN_HARRIS", "filter_width_px"_a = 1.5,
+             "limits"_a = all, "chromatic"_a = false, "stiles_crawford"_a = "OFF",
              "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
              "all.\n"
+             "film_glass_roughness: glass up to this shows a transparent film, too.\n"
+             "exposure: a factor of all light in the picture. pixel_filter: one of "
+             "PIXEL_FILTERS.\n"
              "stiles_crawford: 'BRIGHTNESS' (or True) shapes blur alone; with 'ENERGY' the "
              "picture\n"
              "darkens to what part of the pupil is as good as its peak, and where the eye loses\n"

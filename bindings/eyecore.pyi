@@ -24,6 +24,7 @@ PUPIL_FORMULAS: list[str]
 PUPIL_PATTERNS: list[str]
 # Sockets and options of each kind of shader node: "inputs", "outputs", "options".
 NODE_TYPES: dict[str, dict[str, list[str]]]
+PIXEL_FILTERS: list[str]
 STILES_CRAWFORD_MODES: list[str]
 
 class Prescription:
@@ -325,6 +326,21 @@ class Observer:
         amplitude_formula: str = "HOFSTETTER_MEAN",
     ) -> None: ...
 
+class LightPathLimits:
+    def __init__(
+        self,
+        *,
+        diffuse_bounces: int = 1024,
+        glossy_bounces: int = 1024,
+        transmission_bounces: int = 1024,
+        transparent_bounces: int = 256,
+        reflective_caustics: bool = True,
+        refractive_caustics: bool = True,
+        filter_glossy: float = 0.0,
+        clamp_direct: float = 0.0,
+        clamp_indirect: float = 0.0,
+    ) -> None: ...
+
 class Settings:
     def __init__(
         self,
@@ -337,7 +353,11 @@ class Settings:
         passes: Sequence[str] = ...,
         threads: int = 0,
         film_transparent: bool = False,
+        film_glass_roughness: float | None = None,
+        exposure: float = 1.0,
+        pixel_filter: str = "BLACKMAN_HARRIS",
         filter_width_px: float = 1.5,
+        limits: LightPathLimits = ...,
         chromatic: bool = False,
         stiles_crawford: str | bool = "OFF",
     ) -> None: ...

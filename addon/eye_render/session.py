@@ -5,7 +5,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
-from . import choices, core
+from . import choices, core, cycles_settings
 from .batch import Overrides
 from .core import EyeRenderError
 
@@ -21,7 +21,6 @@ def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list
     settings = scene.eye_render
     quality = overrides.quality or settings.quality
     samples = overrides.samples or choices.QUALITY_SAMPLES.get(quality, settings.samples)
-    narrowest, widest = choices.FILTER_RANGE_PX
     with core.speaking() as eyecore:
         return eyecore.Settings(
             samples=samples,
@@ -32,7 +31,8 @@ def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list
             passes=pass_names,
             threads=scene.render.threads if scene.render.threads_mode == "FIXED" else 0,
             film_transparent=scene.render.film_transparent,
-            filter_width_px=min(max(scene.render.filter_size, narrowest), widest),
+            limits=cycles_settings.limits(scene),
+            **cycles_settings.film(scene),
             chromatic=settings.chromatic if overrides.chromatic is None else overrides.chromatic,
             stiles_crawford=overrides.stiles_crawford or settings.stiles_crawford,
         )

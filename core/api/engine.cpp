@@ -18,11 +18,6 @@ std::string joined(const std::vector<std::string>& texts)
     return text;
 }
 
-std::string range_text(const SampleRange& range)
-{
-    return std::to_string(range.first) + ":" + std::to_string(range.last);
-}
-
 bool has_second_order(const Wavefront& wavefront)
 {
     const std::vector<double>& c = wavefront.coefficients_um;
@@ -32,30 +27,6 @@ bool has_second_order(const Wavefront& wavefront)
         }
     }
     return false;
-}
-
-SampleRange samples_of(const RenderSettings& settings)
-{
-    return settings.range.value_or(SampleRange{.first = 0, .last = settings.samples});
-}
-
-void require_valid(const RenderSettings& settings)
-{
-    // 2^24 samples a pixel: the last number of the Sobol index that still is stratified in float.
-    require_range("samples", settings.samples, 1, 1 << 24, "");
-    if (settings.range) {
-        const SampleRange& range = *settings.range;
-        if (range.last <= range.first) {
-            throw std::invalid_argument("sample range is " + range_text(range) +
-                                        "; expected FIRST:LAST with FIRST below LAST");
-        }
-        require_range("last sample of the range", range.last, 1, 1 << 24, "");
-    }
-    require_range("max_bounces", settings.max_bounces, 0, 1024, "");
-    require_range("threads", settings.threads, 0, 4096, "");
-    if (settings.passes.empty()) {
-        throw std::invalid_argument("no passes are asked for; expected at least one");
-    }
 }
 
 void require_valid(const Observer& observer)
@@ -104,14 +75,14 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     : scene_data_(std::move(scene)), lease_(scene_data_->lease()), observer_(observer),
       settings_(settings)
 {
-    require_valid(settings);
+    eye_render::require_valid(settings);
     require_valid(observer);
     const CameraFrame& frame = scene_data_->camera();
     const SceneData& data = scene_data_->data();
     plan_ = make_plan(data, settings.passes);
 
     RenderJob job;
-    job.filter = PixelFilter(settings.filter_width_px);
+    job.filter = PixelFilter(settings.filter, settings.filter_width_px);
     job.scene = std::make_shared<Scene>(data, frame.position_world, view_frame(frame));
     job.frame = frame;
     eye_ = make_observer_eye(observer, job.scene, frame, settings.threads);
@@ -125,15 +96,16 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     if (plan_.stiles_crawford) {
         job.stiles_crawford = cones;
     }
-    SessionSettings session{
-        .samples = samples_of(settings), .passes = settings.passes, .threads = settings.threads};
+    SessionSettings session{.samples = samples_of(settings),
+                            .passes = settings.passes,
+                            .exposure = settings.exposure,
+                            .threads = settings.threads};
     if (settings.stiles_crawford == StilesCrawfordMode::Energy) {
         session.efficiency = cones.effective_area_ratio();
     }
     job.passes = PassLayout(settings.passes);
-    job.integrator = {.max_bounces = settings.max_bounces,
-                      .film_transparent = settings.film_transparent,
-                      .pixel_slope = static_cast<float>(frame.pixel_slope_size().x)};
+    job.integrator = integrator_settings(settings);
+    job.integrator.pixel_slope = static_cast<float>(frame.pixel_slope_size().x);
     job.seed = settings.seed;
     session_ = std::make_unique<Session>(std::move(job), std::move(session));
 }
@@ -198,6 +170,8 @@ std::map<std::string, Fact> Engine::facts() const
         {"samples", range_text(samples_of(settings_))},
         {"seed", std::to_string(settings_.seed)},
         {"max_bounces", std::to_string(settings_.max_bounces)},
+        {"exposure", settings_.exposure},
+        {"pixel_filter", std::string(to_string(settings_.filter))},
         {"filter_width_px", settings_.filter_width_px},
         {"pupil_pattern", std::string(to_string(settings_.pattern))},
         {"chromatic", plan_.chromatic ? "yes" : "no"},

@@ -5,6 +5,7 @@
 
 #include "api/observer.h"
 #include "api/observer_eye.h"
+#include "api/render_settings.h"
 #include "api/scene_builder.h"
 #include "render/plan.h"
 #include "render/session.h"

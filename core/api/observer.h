@@ -1,16 +1,12 @@
-// The observer and the render, as the outside says them: plain values in the user's units.
-// engine.h turns them into an eye and a session.
+// The observer as the outside says them: plain values in the user's units, which observer_eye.h
+// turns into an eye.
 
 #pragma once
 
 #include "api/eye.h"
-#include "render/passes.h"
-#include "render/tracer.h"
 
 #include <optional>
-#include <string>
 #include <string_view>
-#include <vector>
 
 namespace eye_render {
 
@@ -33,20 +29,6 @@ struct Observer {
     int eyes = 2;                           // that see the light, 1 or 2
     FocusMode focus = FocusMode::Relaxed;
     double focus_distance_m = 0.0;  // with FocusMode::Distance, from the entrance pupil
-};
-
-struct RenderSettings {
-    std::uint32_t samples = 64;        // of the whole picture; shapes circinate and grid patterns
-    std::optional<SampleRange> range;  // of these, those to render; nothing: all
-    int max_bounces = 8;
-    std::uint64_t seed = 0;
-    PupilPatternKind pattern = PupilPatternKind::Sobol;
-    std::vector<Pass> passes{Pass::Combined};
-    int threads = 0;  // 0: all the processor has
-    bool film_transparent = false;
-    double filter_width_px = 1.5;
-    bool chromatic = false;  // each path at a wavelength of its own
-    StilesCrawfordMode stiles_crawford = StilesCrawfordMode::Off;
 };
 
 }  // namespace eye_render

@@ -115,7 +115,7 @@ double Film::mean(const double* sums, Pass pass, std::size_t channel) const
     const std::size_t first =
         pass == Pass::Combined ? combined_sums
                                : pass_sums + static_cast<std::size_t>(layout_.passes.first(pass));
-    const double scale = is_light ? layout_.efficiency.value_or(1.0) : 1.0;
+    const double scale = is_light ? layout_.light_scale() : 1.0;
     return scale * sums[first + channel] /
            divisor(sums[is_light ? weight_of(channel) : weight_sum]);
 }

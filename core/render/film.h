@@ -52,6 +52,10 @@ struct FilmLayout {
     // out of the means. A number: what part of the light counts; the picture darkens to it, and
     // by the lost rays, which are black.
     std::optional<double> efficiency{};
+    double exposure = 1.0;  // a factor of all light in the picture
+
+    // What the means of light are multiplied by.
+    [[nodiscard]] double light_scale() const { return exposure * efficiency.value_or(1.0); }
 
     // Sums a pixel: weight, RGB, alpha, the channels of the passes, and with a chromatic film the
     // channels' weights.

@@ -1,10 +1,12 @@
 #include "render/integrator.h"
 
 #include "render/multiple_importance.h"
+#include "render/path_state.h"
 #include "render/surface_passes.h"
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace eye_render {
@@ -20,7 +22,7 @@ public:
                const IntegratorSettings& settings,
                SampleSequence& sequence,
                PassValues* values)
-        : scene_(scene), settings_(settings), sequence_(sequence), light_(values), values_(values)
+        : scene_(scene), settings_(settings), sequence_(sequence), light_(values, settings.limits), values_(values)
     {
     }
 
@@ -29,7 +31,7 @@ public:
 
     PathRadiance trace(Ray ray)
     {
-        for (int passages = 0; passages <= max_straight_passages;) {
+        for (;;) {
             auto hit = scene_.intersect(ray, path_);
             add_lamps(ray, hit ? hit->t : ray.t_max);
             if (!hit) {
@@ -38,15 +40,19 @@ public:
             }
             path_.length = hit->t;
             hit->point.footprint = settings_.pixel_slope * (length_ + hit->t);
-            const ShadedPoint shaded = scene_.shade(*hit, path_);
-            if (path_.is_camera && cut_out(*hit, shaded)) {
+            ShadedPoint shaded = scene_.shade(*hit, path_);
+            if (shows_film_ && cut_out(*hit, shaded)) {
                 break;
             }
             if (values_ != nullptr && path_.depth == 0) {
                 note_surface(*values_, *hit, shaded, throughput_);
             }
             add_emission(*hit, shaded.emission);
-            if (path_.depth > settings_.max_bounces) {
+            if (path_.transparent_depth > settings_.limits.transparent_bounces) {
+                break;
+            }
+            blur(shaded.bsdf);
+            if (had_last_bounce(path_, settings_.max_bounces, settings_.limits)) {
                 // The ray after the last bounce only collects what shines by itself, through
                 // whatever lets it pass: light sampling sees through the same surfaces.
                 throughput_ *= scene_.straight_transmittance(*hit, path_);
@@ -54,7 +60,6 @@ public:
                     break;
                 }
                 pass_through(ray, *hit);
-                ++passages;
                 continue;
             }
             add_direct_light(*hit, shaded.bsdf);
@@ -67,15 +72,13 @@ public:
             throughput_ *= sample->weight;
             if (sample->is_straight) {
                 pass_through(ray, *hit);
-                ++path_.transparent_depth;
-                ++passages;
                 continue;
             }
             length_ += hit->t;
             if (path_.depth == 0 && light_.wants_shares()) {
                 light_.scatter_first(scatter_shares(shaded.bsdf, *sample));
             }
-            note_scattering(*sample);
+            scatter(*sample);
             std::swap(last_, here_);
             last_->point.p_world = hit->p_world;
             last_->pdf = sample->pdf;
@@ -94,24 +97,26 @@ private:
     {
         travelled_ += hit.t;
         length_ += hit.t;
+        ++path_.transparent_depth;
         ray = passed_through(ray, hit);
     }
 
-    void note_scattering(const BsdfSample& sample)
+    // Of what the path meets by an unlikely bounce: what is sharp would be noise.
+    void blur(Bsdf& bsdf) const
     {
-        path_.is_camera = false;
-        path_.is_diffuse = sample.is_diffuse;
-        path_.is_glossy = !sample.is_diffuse;
-        path_.is_singular = sample.is_delta;
-        path_.is_transmission = sample.is_transmitted;
-        path_.is_reflection = !sample.is_transmitted;
-        ++path_.depth;
-        if (sample.is_transmitted) {
-            ++path_.transmission_depth;
-        } else if (sample.is_diffuse) {
-            ++path_.diffuse_depth;
-        } else {
-            ++path_.glossy_depth;
+        const float filter = settings_.limits.filter_glossy;
+        if (least_pdf_ < filter) {
+            bsdf.blur(0.5f * std::sqrt(1.0f - least_pdf_ / filter));
+        }
+    }
+
+    void scatter(const BsdfSample& sample)
+    {
+        note_scattering(path_, sample, settings_.limits);
+        shows_film_ = shows_film_ && sample.is_transmitted &&
+                      sample.alpha_squared <= settings_.clear_alpha_squared;
+        if (!sample.is_delta) {
+            least_pdf_ = std::min(least_pdf_, sample.pdf);
         }
     }
 
@@ -133,16 +138,16 @@ private:
     {
         const float share = hit.placement->is_holdout ? 1.0f : std::min(shaded.holdout, 1.0f);
         if (share > 0.0f) {
-            light_.uncover(share * luminance(throughput_));
+            light_.uncover(throughput_ * share);
         }
         return share == 1.0f;
     }
 
     void add_background(const Ray& ray)
     {
-        if (path_.depth == 0 && settings_.film_transparent) {
-            // What straight passages took away stays in the picture as coverage.
-            light_.uncover(luminance(throughput_));
+        if (shows_film_ && settings_.film_transparent) {
+            // What the surfaces before it took away stays in the picture as coverage.
+            light_.uncover(throughput_);
             if (light_.wants_world_behind_film()) {
                 light_.add_behind_film(throughput_ * scene_.background(ray.direction, path_));
             }
@@ -188,7 +193,8 @@ private:
         Color3f contribution =
             throughput_ * scattered.value * light->radiance * (weight / light->pdf);
         if (light->casts_shadow) {
-            contribution *= scene_.transmittance(shadow_ray(hit, *light), path_);
+            contribution *= scene_.transmittance(shadow_ray(hit, *light), path_,
+                                                 settings_.limits.transparent_bounces - path_.transparent_depth);
         }
         light_.add_lit(contribution, LightOrigin{}, path_.depth + 1, bsdf, light->wi);
     }
@@ -221,6 +227,8 @@ private:
     float travelled_ = 0.0f;      // from the last scattering, through straight passages
     float length_ = 0.0f;         // of all of the path
     PathState path_;
+    float least_pdf_ = std::numeric_limits<float>::infinity();  // of the bounces so far
+    bool shows_film_ = true;  // nothing has come between it and the eye but what is clear
 };
 
 }  // namespace

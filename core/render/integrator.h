@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "render/light_path_limits.h"
 #include "render/path_light.h"
 #include "render/sample_sequence.h"
 #include "scene/scene.h"
@@ -13,7 +14,10 @@ namespace eye_render {
 
 struct IntegratorSettings {
     int max_bounces = 4;            // 0: what is lit directly; straight passages do not count
+    LightPathLimits limits{};
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
+    // Nor through glass whose alpha squared is at most this.
+    float clear_alpha_squared = -1.0f;
     // Width of a pixel at distance 1 along the view: what is finer is not seen by bump mapping.
     float pixel_slope = 0.0f;
 };

@@ -17,6 +17,13 @@ namespace {
     return {share_of(part.x, whole.x), share_of(part.y, whole.y), share_of(part.z, whole.z)};
 }
 
+// To a mean of that, its hue kept; 0 for no limit.
+[[nodiscard]] Color3f clamped(const Color3f& light, float most)
+{
+    const float mean = (light.x + light.y + light.z) / 3.0f;
+    return most > 0.0f && mean > most ? light * (most / mean) : light;
+}
+
 }  // namespace
 
 ScatterShares scatter_shares(const Bsdf& bsdf, const V3f& wi)
@@ -34,11 +41,12 @@ ScatterShares scatter_shares(const Bsdf& bsdf, const BsdfSample& sample)
     return scatter_shares(bsdf, sample.wi);
 }
 
-void PathLight::add(const Color3f& contribution,
+void PathLight::add(const Color3f& light,
                     const LightOrigin& origin,
                     int bounces,
                     const ScatterShares& first)
 {
+    const Color3f contribution = clamped(light, bounces > 1 ? clamp_indirect_ : clamp_direct_);
     // False for NaN and infinity, too, which one bad texture pixel can bring.
     if (!(max_component(contribution) > 0.0f &&
           std::isfinite(contribution.x + contribution.y + contribution.z))) {

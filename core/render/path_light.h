@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "render/light_path_limits.h"
 #include "render/pass_layout.h"
 #include "shading/bsdf.h"
 
@@ -36,7 +37,11 @@ struct ScatterShares {
 class PathLight {
 public:
     // Without `values` only Combined is wanted.
-    explicit PathLight(PassValues* values) : values_(values) {}
+    explicit PathLight(PassValues* values, const LightPathLimits& limits = {})
+        : values_(values), clamp_direct_(limits.clamp_direct),
+          clamp_indirect_(limits.clamp_indirect)
+    {
+    }
 
     // Whether scatter_first must be told of the path's first scattering.
     [[nodiscard]] bool wants_shares() const
@@ -73,7 +78,10 @@ public:
     }
 
     // A share of what the path sees is not in the picture.
-    void uncover(float share) { seen_.alpha = std::max(0.0f, seen_.alpha - share); }
+    void uncover(const Color3f& share)
+    {
+        seen_.alpha = std::max(0.0f, seen_.alpha - (share.x + share.y + share.z) / 3.0f);
+    }
 
     [[nodiscard]] const PathRadiance& seen() const { return seen_; }
 
@@ -84,6 +92,8 @@ private:
              const ScatterShares& first);
 
     PassValues* values_;
+    float clamp_direct_;
+    float clamp_indirect_;
     PathRadiance seen_;
     ScatterShares first_;
 };

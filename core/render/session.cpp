@@ -24,9 +24,11 @@ std::uint32_t next_slice(std::uint32_t slice, std::chrono::duration<double> took
 
 Session::Session(RenderJob job, SessionSettings settings)
     : job_(std::move(job)), settings_(std::move(settings)),
-      film_(
-          job_.frame.border,
-          {.passes = job_.passes, .chromatic = job_.chromatic, .efficiency = settings_.efficiency})
+      film_(job_.frame.border,
+            {.passes = job_.passes,
+             .chromatic = job_.chromatic,
+             .efficiency = settings_.efficiency,
+             .exposure = settings_.exposure})
 {
 }
 

@@ -20,6 +20,7 @@ struct SessionSettings {
     SampleRange samples;
     std::vector<Pass> passes;
     std::optional<double> efficiency{};  // as FilmLayout has it
+    double exposure = 1.0;
     int threads = 0;                     // at most; 0: all the processor has
 };
 

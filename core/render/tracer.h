@@ -34,7 +34,7 @@ struct RenderJob {
     std::optional<StilesCrawford> stiles_crawford{};  // nothing: all of the pupil counts the same
     IntegratorSettings integrator;
     PassLayout passes{};
-    PixelFilter filter{1.5};
+    PixelFilter filter{PixelFilterKind::BlackmanHarris, 1.5};
     std::uint64_t seed = 0;
 };
 

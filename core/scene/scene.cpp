@@ -169,7 +169,7 @@ Color3f Scene::straight_transmittance(const SurfaceHit& hit, const PathState& pa
         {.point = hit.point, .attributes = at, .path = path});
 }
 
-Color3f Scene::transmittance(const Ray& ray, const PathState& path) const
+Color3f Scene::transmittance(const Ray& ray, const PathState& path, int most_passages) const
 {
     if (!may_be_transparent_) {
         return Color3f(accelerator_.occluded(ray) ? 0.0f : 1.0f);
@@ -179,7 +179,7 @@ Color3f Scene::transmittance(const Ray& ray, const PathState& path) const
     shadow.is_camera = false;
     shadow.is_shadow = true;
     Ray rest = ray;
-    for (int passages = 0; passages <= max_straight_passages; ++passages) {
+    for (int passages = 0; passages <= most_passages; ++passages) {
         const auto hit = intersect(rest, shadow);
         if (!hit) {
             return result;

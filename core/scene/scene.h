@@ -69,9 +69,11 @@ public:
     // The first surface that is more to be seen than to be seen through.
     [[nodiscard]] std::optional<SurfaceHit> first_visible(const Ray& ray) const;
 
-    // The part of the light that passes along the ray: 0 behind an opaque surface. `path` is that
-    // of the place it starts from.
-    [[nodiscard]] Color3f transmittance(const Ray& ray, const PathState& path = {}) const;
+    // The part of the light that passes along the ray: 0 behind an opaque surface, and behind more
+    // than that many clear ones. `path` is that of the place it starts from.
+    [[nodiscard]] Color3f transmittance(const Ray& ray,
+                                        const PathState& path = {},
+                                        int most_passages = max_straight_passages) const;
 
     // Weighs the lights for a point whose lit side is `n`.
     void weigh_lights(const V3f& p, const V3f& n, LitPoint& point) const

@@ -87,6 +87,21 @@ Color3f Bsdf::straight() const
     return sum;
 }
 
+void Bsdf::blur(float least_alpha)
+{
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        Lobe& lobe = lobes_[i];
+        if (!lobe.has_facets()) {
+            continue;
+        }
+        lobe.alpha_x = std::max(lobe.alpha_x, least_alpha);
+        lobe.alpha_y = std::max(lobe.alpha_y, least_alpha);
+        shares_[i].is_delta = lobe.is_delta();
+        has_finite_lobe_ |= !shares_[i].is_delta;
+        transmits_ |= !shares_[i].is_delta && lobe.transmits();
+    }
+}
+
 BsdfValue Bsdf::evaluate(const V3f& wi) const
 {
     BsdfValue sum;
@@ -144,17 +159,21 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const V2f& u) const
                           .weight = weight,
                           .is_delta = true,
                           .is_straight = lobes_[i].kind == LobeKind::Straight,
-                          .is_transmitted = drawn->is_transmitted};
+                          .is_transmitted = drawn->is_transmitted,
+                          .alpha_squared = 0.0f};
     }
     const BsdfValue mixture = evaluate(drawn->wi);
     if (!(mixture.pdf > 0.0f)) {
         return std::nullopt;
     }
+    const Lobe& lobe = lobes_[i];
     return BsdfSample{.wi = drawn->wi,
                       .weight = mixture.value / mixture.pdf,
                       .pdf = mixture.pdf,
                       .is_transmitted = drawn->is_transmitted,
-                      .is_diffuse = lobes_[i].is_diffuse()};
+                      .is_diffuse = lobe.is_diffuse(),
+                      .alpha_squared =
+                          lobe.has_facets() ? lobe.alpha_x * lobe.alpha_y : 1.0f};
 }
 
 }  // namespace eye_render

@@ -25,6 +25,9 @@ struct BsdfSample {
     bool is_straight = false;
     bool is_transmitted = false;  // to the other side of the surface
     bool is_diffuse = false;      // drawn from a wide lobe, not a glossy one
+    // Of the lobe drawn: product of its alphas, which of a rough glass is its roughness to the
+    // fourth; 0 for a delta lobe, 1 for a wide one.
+    float alpha_squared = 0.0f;
 };
 
 // Something of a mixture by kinds of lobes: what passes straight through is in none of them.
@@ -52,6 +55,9 @@ public:
     // sampled: it may be approximate, but zero only where the lobe is. A lobe without is left out.
     // `transmitted` is the part of it that a glass lets pass.
     void add(const Lobe& lobe, const Color3f& albedo, const Color3f& transmitted = Color3f(0.0f));
+
+    // Roughens the glossy lobes to an alpha of at least this.
+    void blur(float least_alpha);
 
     [[nodiscard]] BsdfValue evaluate(const V3f& wi) const;
     // The value by kinds of lobes.

@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "shading/frame.h"
 #include "shading/node.h"
 
 #include <array>
@@ -11,24 +10,22 @@
 
 namespace eye_render {
 
-// Two steps along the surface, as far as a pixel is wide there: what is finer than a pixel is not
-// seen, and steps much smaller would difference roundings.
+// Two steps along the surface, `width_px` pixels wide as they are seen from straight above: what is
+// finer than a pixel is not seen, and steps much smaller would difference roundings. Their
+// directions are those of Cycles, because a height that bends within a step tells them apart.
 [[nodiscard]] inline std::array<V3f, 2> bump_offsets(const ShadingPoint& point,
-                                                     const V3f& position_world)
+                                                     const V3f& position_world,
+                                                     float width_px = 1.0f)
 {
     constexpr float least_roundings = 64.0f * 1.2e-7f;  // of the position's float steps
     const float largest = std::max(
         {std::abs(position_world.x), std::abs(position_world.y), std::abs(position_world.z)});
-    const float width = std::max({point.footprint, least_roundings * largest, 1e-6f});
-    const Frame across(point.wo);
-    // A pixel's steps across the view, slid along the view to the surface; not further than ten
-    // pixels where it is seen edge-on.
-    const auto on_surface = [&](const V3f& axis) {
-        const float cosine = std::max(point.wo.dot(point.ng), 0.1f);
-        const V3f step = axis - point.wo * (axis.dot(point.ng) / cosine);
-        return (step - point.ng * step.dot(point.ng)) * width;
-    };
-    return {on_surface(across.s), on_surface(across.t)};
+    const float width =
+        std::max({point.footprint * width_px, least_roundings * largest, 1e-6f});
+    const V3f& n = point.ng;
+    const V3f diagonal(n.x == n.y && n.x == n.z ? -1.0f : 1.0f, 1.0f, 1.0f);
+    const V3f s = diagonal.cross(n).normalized();
+    return {s * width, n.cross(s) * width};
 }
 
 // `rise` are the heights at the offsets less the one here, world units.

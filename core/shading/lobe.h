@@ -71,6 +71,7 @@ struct Lobe {
     {
         return kind >= LobeKind::Diffuse && kind <= LobeKind::DiffuseToon;
     }
+    [[nodiscard]] bool has_facets() const { return kind >= LobeKind::AshikhminShirley; }
     // Light may come from the far side.
     [[nodiscard]] bool transmits() const
     {

@@ -69,6 +69,9 @@ struct PathState {
     int glossy_depth = 0;
     int transparent_depth = 0;
     int transmission_depth = 0;
+    // What is off makes no caustics: glossy closures that a diffuse surface would be lit through.
+    bool shows_reflections = true;
+    bool shows_refractions = true;
 };
 
 // All that a program is evaluated from.

@@ -66,7 +66,10 @@ constexpr float largest_specular = 1e3f;
                              .cos_o = mirror_normal.dot(point.wo),
                              .roughness = unit_range(inputs.coat_roughness),
                              .multiple_scattering = false};
-    Color3f left(left_below(coat * add_coat(bsdf, surface, weight * coat, ior)));
+    Color3f left(1.0f);
+    if (inputs.shows_reflections) {
+        left *= left_below(coat * add_coat(bsdf, surface, weight * coat, ior));
+    }
 
     const Color3f tint = positive_range(inputs.coat_tint);
     if (tint != Color3f(1.0f)) {
@@ -167,13 +170,17 @@ void add_principled(Bsdf& bsdf,
     const GgxSurface surface = base_surface(inputs, normal, point);
 
     if (metallic > 0.0f) {
-        add_metal(bsdf, surface, weight * metallic, clamped_color, unit_range(specular_tint));
+        if (inputs.shows_reflections) {
+            add_metal(bsdf, surface, weight * metallic, clamped_color, unit_range(specular_tint));
+        }
         weight *= 1.0f - metallic;
     }
     if (transmission > 0.0f && metallic < 1.0f) {
         GgxSurface unbrushed = surface;
         unbrushed.stretch_x = unbrushed.stretch_y = 1.0f;
-        add_glass(bsdf, unbrushed, weight * transmission, Color3f(1.0f), sqrt_of(clamped_color),
+        add_glass(bsdf, unbrushed, weight * transmission,
+                  Color3f(inputs.shows_reflections ? 1.0f : 0.0f),
+                  inputs.shows_refractions ? sqrt_of(clamped_color) : Color3f(0.0f),
                   {.ior = point.backfacing ? 1.0f / ior : ior,
                    .specular_tint = specular_tint,
                    .film_thickness_nm = film_thickness_nm,
@@ -183,7 +190,7 @@ void add_principled(Bsdf& bsdf,
     if (max_component(weight) > 0.0f) {
         const float specular = in_range(inputs.specular_ior_level, 0.0f, largest_specular);
         const float polish_ior = adjusted_ior(ior, specular);
-        if (polish_ior != 1.0f || film_thickness_nm > 0.0f) {
+        if (inputs.shows_reflections && (polish_ior != 1.0f || film_thickness_nm > 0.0f)) {
             weight *= left_below(add_dielectric(bsdf, surface, weight,
                                                 {.ior = polish_ior,
                                                  .specular_tint = specular_tint,

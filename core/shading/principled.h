@@ -44,6 +44,9 @@ struct PrincipledInputs {
     float thin_film_ior = 1.33f;
     // Compensate the energy that single scattering loses (distribution MULTI_GGX).
     bool multiple_scattering = true;
+    // As PathState has them.
+    bool shows_reflections = true;
+    bool shows_refractions = true;
 };
 
 // Adds its lobes, `weight` times, to a mixture seen along point.wo.

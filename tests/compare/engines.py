@@ -10,10 +10,17 @@ def set_up_cycles(scene: bpy.types.Scene, samples: int, bounces: int, seed: int)
     cycles = scene.cycles
     cycles.device, cycles.samples, cycles.seed = "CPU", samples, seed
     cycles.use_adaptive_sampling = cycles.use_denoising = False
-    cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = bounces
+    cycles.max_bounces, cycles.light_sampling_threshold = bounces, 0.0
+    limit_paths(scene, bounces)
+
+
+def limit_paths(scene: bpy.types.Scene, bounces: int) -> None:
+    """What both engines read."""
+    cycles = scene.cycles
+    cycles.diffuse_bounces = cycles.glossy_bounces = bounces
     cycles.transmission_bounces = cycles.volume_bounces = bounces
     cycles.transparent_max_bounces = TRANSPARENT_BOUNCES
-    cycles.blur_glossy = cycles.light_sampling_threshold = 0.0
+    cycles.blur_glossy = 0.0
 
 
 def set_up_eye_render(scene: bpy.types.Scene, samples: int, bounces: int, seed: int) -> None:
@@ -22,6 +29,7 @@ def set_up_eye_render(scene: bpy.types.Scene, samples: int, bounces: int, seed: 
     settings = scene.eye_render
     settings.quality, settings.samples = "CUSTOM", samples
     settings.max_bounces, settings.seed = bounces, seed
+    limit_paths(scene, bounces)
     observer = scene.camera.data.eye_render
     observer.model, observer.pupil_mode = "PINHOLE", "MANUAL"
     observer.right.text = observer.left.text = "0.00DS"

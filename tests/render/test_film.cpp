@@ -29,6 +29,18 @@ TEST(Film, averages_by_weight)
     EXPECT_EQ(images[0].pixels[3], 0.0f) << "a pixel without samples is transparent";
 }
 
+TEST(Film, exposure_is_a_factor_of_light_and_not_of_coverage)
+{
+    Film film({0, 0, 1, 1}, {.exposure = 0.25});
+    FilmTile tile = film.take({0, 0, 1, 1});
+    tile.add(sample_at(0, 0, 4.0f));
+    film.put(tile);
+    const Pass passes[] = {Pass::Combined};
+    const auto images = film.snapshot(passes);
+    EXPECT_EQ(images[0].pixels[0], 1.0f);
+    EXPECT_EQ(images[0].pixels[3], 1.0f);
+}
+
 TEST(Film, keeps_earlier_sums_when_a_tile_is_taken_again)
 {
     Film film({5, 5, 9, 9}, {});

@@ -172,5 +172,31 @@ TEST(Integrator, transparent_film_leaves_the_world_out_and_keeps_coverage)
     EXPECT_EQ(missed.radiance, Color3f(0.0f));
 }
 
+TEST(Integrator, transparent_film_shows_through_glass_as_smooth_as_asked_for)
+{
+    const auto behind = [](float roughness, float ior, float clear_alpha_squared) {
+        SceneData data;
+        test::place(data, test::square(5.0f), V3d(0.0, 0.0, -3.0),
+                    plain_material("BSDF_GLASS", {{"Color", V3f(1.0f, 0.6f, 0.5f)},
+                                                  {"Roughness", V3f(roughness)},
+                                                  {"IOR", V3f(ior)}}));
+        data.world = test::even_world(1.0f);
+        const Scene scene(data, V3d(0.0));
+        SampleSequence sequence(1, 0);
+        return trace_path(
+            scene, {.film_transparent = true, .clear_alpha_squared = clear_alpha_squared}, {},
+            sequence);
+    };
+    // Of index 1 it takes and turns nothing.
+    EXPECT_EQ(behind(0.0f, 1.0f, -1.0f).alpha, 1.0f);
+    EXPECT_EQ(behind(0.0f, 1.0f, -1.0f).radiance, Color3f(1.0f, 0.6f, 0.5f));
+    // What the colour takes away covers, as the mean of its channels.
+    EXPECT_NEAR(behind(0.0f, 1.0f, 0.0f).alpha, 0.3f, 1e-6f);
+    EXPECT_EQ(behind(0.0f, 1.0f, 0.0f).radiance, Color3f(0.0f));
+    const auto to_the_fourth = [](float x) { return x * x * x * x; };
+    EXPECT_LT(behind(0.3f, 1.3f, to_the_fourth(0.31f)).alpha, 0.5f);
+    EXPECT_EQ(behind(0.3f, 1.3f, to_the_fourth(0.29f)).alpha, 1.0f);
+}
+
 }  // namespace
 }  // namespace eye_render

@@ -217,21 +217,30 @@ TEST(BumpNode, bends_a_normal_that_another_node_bent)
         << "an even height bends nothing";
 }
 
-TEST(Bump, steps_lie_in_the_surface_and_are_as_far_as_a_pixel)
+TEST(BumpNode, filter_width_is_the_step_in_pixels)
 {
-    for (double view_deg : {0.0, 30.0, 60.0}) {
-        const ShadingPoint point{
-            .wo = direction_at(view_deg, 30.0), .ng = up, .ns = up, .footprint = 0.1f};
-        for (const V3f& step : bump_offsets(point, V3f(0.0f))) {
-            EXPECT_NEAR(step.z, 0.0f, 1e-7f);
-            // Seen along the ray it is a pixel wide.
-            const V3f across = step - point.wo * step.dot(point.wo);
-            EXPECT_NEAR(across.length(), 0.1f, 1e-6f) << view_deg;
-        }
+    // A parabola's slope, taken over a step d from its middle, is d.
+    constexpr auto parabola = [](double x, double y) { return x * x + y * y; };
+    const HeightField hit(parabola, {0.0f, 0.0f});
+    const ShadingPoint point{.wo = up, .ng = up, .ns = up, .footprint = 0.1f};
+    for (const float width_px : {0.1f, 1.0f, 2.0f}) {
+        const V3f found = bumped(hit, point, {{"Filter Width", width_px}});
+        // Along two axes, so the root of 2 as steep.
+        EXPECT_NEAR(std::hypot(found.x, found.y) / found.z, std::sqrt(2.0f) * 0.1f * width_px, 1e-4f)
+            << width_px;
     }
-    const ShadingPoint edge_on{.wo = direction_at(89.9), .ng = up, .ns = up, .footprint = 0.1f};
-    for (const V3f& step : bump_offsets(edge_on, V3f(0.0f))) {
-        EXPECT_LT(step.length(), 1.1f) << "no further than ten pixels";
+}
+
+TEST(Bump, steps_lie_across_each_other_in_the_surface_as_far_as_a_pixel_seen_from_above)
+{
+    for (const V3f& ng : {up, direction_at(40.0, 70.0), V3f(1.0f).normalized()}) {
+        const ShadingPoint point{.wo = ng, .ng = ng, .ns = ng, .footprint = 0.1f};
+        const auto steps = bump_offsets(point, V3f(0.0f));
+        for (const V3f& step : steps) {
+            EXPECT_NEAR(step.dot(ng), 0.0f, 1e-7f);
+            EXPECT_NEAR(step.length(), 0.1f, 1e-6f);
+        }
+        EXPECT_NEAR(steps[0].dot(steps[1]), 0.0f, 1e-7f);
     }
     const ShadingPoint unknown{.wo = up, .ng = up, .ns = up};
     for (const V3f& step : bump_offsets(unknown, V3f(1e4f, 0, 0))) {

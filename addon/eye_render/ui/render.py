@@ -1,8 +1,11 @@
-"""Panels of the rendering itself: Sampling and Film, and the Passes of a view layer."""
+"""Panels of the rendering itself: Sampling, Light Paths and Film, and the Passes of a view layer.
+
+What Cycles has a setting for is that setting here, too.
+"""
 
 from bpy.types import Panel
 
-from .. import batch, passes
+from .. import batch, cycles_settings, passes
 from .tabs import RenderTab, Tab, split_column
 
 
@@ -15,10 +18,34 @@ class EYE_RENDER_PT_sampling(RenderTab, Panel):
         column.prop(settings, "quality")
         if settings.quality == "CUSTOM":
             column.prop(settings, "samples")
-        column.prop(settings, "max_bounces")
         column.prop(settings, "seed")
         if batch.overrides != batch.Overrides():
             column.label(text="The command line overrides some of this", icon="INFO")
+
+
+class EYE_RENDER_PT_light_paths(RenderTab, Panel):
+    bl_label = "Light Paths"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        column = split_column(self.layout)
+        column.prop(context.scene.eye_render, "max_bounces", text="Max Bounces")
+        cycles = cycles_settings.of_scene(context.scene)
+        if cycles is None:
+            return
+        kinds = column.column(align=True)
+        kinds.prop(cycles, "diffuse_bounces", text="Diffuse")
+        kinds.prop(cycles, "glossy_bounces", text="Glossy")
+        kinds.prop(cycles, "transmission_bounces", text="Transmission")
+        kinds.prop(cycles, "transparent_max_bounces", text="Transparent")
+        clamping = self.layout.column(align=True)
+        clamping.prop(cycles, "sample_clamp_direct", text="Clamp Direct Light")
+        clamping.prop(cycles, "sample_clamp_indirect", text="Indirect Light")
+        caustics = self.layout.column()
+        caustics.prop(cycles, "blur_glossy", text="Filter Glossy")
+        caustics = caustics.column(heading="Caustics", align=True)
+        caustics.prop(cycles, "caustics_reflective", text="Reflective")
+        caustics.prop(cycles, "caustics_refractive", text="Refractive")
 
 
 class EYE_RENDER_PT_film(RenderTab, Panel):
@@ -28,8 +55,21 @@ class EYE_RENDER_PT_film(RenderTab, Panel):
     def draw(self, context):
         render = context.scene.render
         column = split_column(self.layout)
-        column.prop(render, "filter_size")
+        cycles = cycles_settings.of_scene(context.scene)
+        if cycles is None:
+            column.prop(render, "film_transparent", text="Transparent")
+            return
+        column.prop(cycles, "film_exposure")
+        column.prop(cycles, "pixel_filter_type", text="Pixel Filter")
+        if cycles.pixel_filter_type != "BOX":
+            column.prop(cycles, "filter_width", text="Width")
         column.prop(render, "film_transparent", text="Transparent")
+        glass = column.column()
+        glass.active = render.film_transparent
+        glass.prop(cycles, "film_transparent_glass", text="Transparent Glass")
+        roughness = glass.column()
+        roughness.active = cycles.film_transparent_glass
+        roughness.prop(cycles, "film_transparent_roughness", text="Roughness Threshold")
 
 
 class EYE_RENDER_PT_passes(Tab, Panel):
@@ -43,4 +83,9 @@ class EYE_RENDER_PT_passes(Tab, Panel):
             column.prop(holder, switch)
 
 
-classes = (EYE_RENDER_PT_sampling, EYE_RENDER_PT_film, EYE_RENDER_PT_passes)
+classes = (
+    EYE_RENDER_PT_sampling,
+    EYE_RENDER_PT_light_paths,
+    EYE_RENDER_PT_film,
+    EYE_RENDER_PT_passes,
+)

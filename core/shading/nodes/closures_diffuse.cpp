@@ -70,6 +70,9 @@ public:
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
+        if (kind_ == LobeKind::GlossyToon && !in.hit().path.shows_reflections) {
+            return;
+        }
         const ShadingPoint& point = in.hit().point;
         const Color3f color = positive_range(in.color(Color)) * weight;
         shaded.bsdf.add(toon_lobe(kind_, color, in.number(Size), in.number(Smooth),

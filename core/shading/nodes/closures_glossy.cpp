@@ -59,6 +59,9 @@ public:
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
+        if (!in.hit().path.shows_reflections) {
+            return;
+        }
         GgxSurface facets = surface(in.hit().point, in.vector(Normal), in.number(Roughness));
         const float anisotropy = in_range(in.number(Anisotropy), -0.99f, 0.99f);
         constexpr float least_anisotropy = 1e-4f;
@@ -101,6 +104,9 @@ public:
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
+        if (!in.hit().path.shows_reflections) {
+            return;
+        }
         const ShadingPoint& point = in.hit().point;
         const V3f normal = in.vector(Normal);
         GgxSurface facets = surface(point, normal, in.number(Roughness));
@@ -132,10 +138,13 @@ public:
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
         const ShadingPoint& point = in.hit().point;
+        const PathState& path = in.hit().path;
         const Color3f color = positive_range(in.color(Color));
         const float ior = ior_range(in.number(Ior));
+        const Color3f none(0.0f);
         add_glass(shaded.bsdf, surface(point, in.vector(Normal), in.number(Roughness)),
-                  Color3f(weight), color, color, {.ior = point.backfacing ? 1.0f / ior : ior});
+                  Color3f(weight), path.shows_reflections ? color : none,
+                  path.shows_refractions ? color : none, {.ior = point.backfacing ? 1.0f / ior : ior});
     }
 };
 
@@ -147,6 +156,9 @@ public:
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
+        if (!in.hit().path.shows_refractions) {
+            return;
+        }
         const ShadingPoint& point = in.hit().point;
         const float ior = ior_range(in.number(Ior));
         add_refraction(shaded.bsdf, surface(point, in.vector(Normal), in.number(Roughness)),

@@ -143,6 +143,8 @@ private:
             .transmission_weight = in.number(TransmissionWeight),
             .thin_film_thickness_nm = in.number(ThinFilmThickness),
             .multiple_scattering = multiple_scattering_,
+            .shows_reflections = in.hit().path.shows_reflections,
+            .shows_refractions = in.hit().path.shows_refractions,
         };
         if (values.anisotropic > 0.0f) {
             values.anisotropic_rotation = in.number(AnisotropicRotation);

@@ -122,7 +122,9 @@ public:
             return;
         }
         const Hit& hit = in.hit();
-        const auto offsets = bump_offsets(hit.point, hit.attributes.position_world());
+        const float width_px = std::max(in.number(filter_width_input), 0.0f);
+        const auto offsets =
+            bump_offsets(hit.point, hit.attributes.position_world(), width_px);
         const float height = in.number(height_input);
         V2f rise(0.0f);
         for (int i = 0; i < 2; ++i) {
@@ -136,8 +138,9 @@ public:
     }
 
 private:
-    static constexpr std::size_t height_input = 2;
-    static constexpr std::size_t normal_input = 3;
+    static constexpr std::size_t filter_width_input = 2;
+    static constexpr std::size_t height_input = 3;
+    static constexpr std::size_t normal_input = 4;
 
     bool is_inverted_;
 };
@@ -224,6 +227,7 @@ constexpr std::array<std::string_view, 2> normal_map_options{"space", "uv_map"};
 constexpr std::array bump_in{
     InputSocket{"Strength", Number, NodeValue(1.0f)},
     InputSocket{"Distance", Number, NodeValue(1.0f)},
+    InputSocket{"Filter Width", Number, NodeValue(1.0f)},  // before Blender had it
     InputSocket{"Height", Number, NodeValue(1.0f)},
     InputSocket{"Normal", Vector, NodeValue(0.0f), ImplicitInput::Normal}};
 constexpr std::array<std::string_view, 1> bump_options{"invert"};
