@@ -22,7 +22,8 @@ public:
                const IntegratorSettings& settings,
                SampleSequence& sequence,
                PassValues* values)
-        : scene_(scene), settings_(settings), sequence_(sequence), light_(values, settings.limits), values_(values)
+        : scene_(scene), settings_(settings), sequence_(sequence), light_(values, settings.limits),
+          values_(values)
     {
     }
 
@@ -194,7 +195,8 @@ private:
             throughput_ * scattered.value * light->radiance * (weight / light->pdf);
         if (light->casts_shadow) {
             contribution *= scene_.transmittance(shadow_ray(hit, *light), path_,
-                                                 settings_.limits.transparent_bounces - path_.transparent_depth);
+                                                 settings_.limits.transparent_bounces -
+                                                     path_.transparent_depth);
         }
         light_.add_lit(contribution, LightOrigin{}, path_.depth + 1, bsdf, light->wi);
     }

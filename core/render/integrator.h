@@ -13,7 +13,7 @@
 namespace eye_render {
 
 struct IntegratorSettings {
-    int max_bounces = 4;            // 0: what is lit directly; straight passages do not count
+    int max_bounces = 4;  // 0: what is lit directly; straight passages do not count
     LightPathLimits limits{};
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
     // Nor through glass whose alpha squared is at most this.

@@ -1,5 +1,5 @@
-// What is left out of the paths of light, for time and against noise. Without any of it the picture
-// is the scene's own; each of these takes light away, or moves it.
+// What is left out of the paths of light, for time and against noise. Without any of it the
+// picture is the scene's own; each of these takes light away, or moves it.
 
 #pragma once
 

@@ -58,7 +58,7 @@ std::string_view to_string(PixelFilterKind kind)
 
 PixelFilter::PixelFilter(PixelFilterKind kind, double width_px)
 {
-    require_range("filter_width_px", width_px, 0.01, 10.0, "px");
+    require_range("filter_width_px", width_px, 0.001, 10.0, "px");
     const FilterShape shape = shape_of(kind, width_px);
     for (std::size_t i = 0; i <= resolution; ++i) {
         const double target = static_cast<double>(i) / static_cast<double>(resolution);

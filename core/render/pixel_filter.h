@@ -13,8 +13,8 @@ namespace eye_render {
 
 enum class PixelFilterKind { Box, Gaussian, BlackmanHarris };
 
-inline constexpr std::array pixel_filter_kinds{
-    PixelFilterKind::Box, PixelFilterKind::Gaussian, PixelFilterKind::BlackmanHarris};
+inline constexpr std::array pixel_filter_kinds{PixelFilterKind::Box, PixelFilterKind::Gaussian,
+                                               PixelFilterKind::BlackmanHarris};
 
 // "BOX", "GAUSSIAN", "BLACKMAN_HARRIS".
 [[nodiscard]] std::string_view to_string(PixelFilterKind kind);
@@ -26,7 +26,7 @@ inline constexpr std::array pixel_filter_kinds{
 //   BlackmanHarris  the window of Harris 1978, 4 terms, to w
 class PixelFilter {
 public:
-    // Throws std::invalid_argument unless width_px is 0.01 to 10.
+    // Throws std::invalid_argument unless width_px is 0.001 to 10.
     PixelFilter(PixelFilterKind kind, double width_px);
 
     // Displacement from the pixel's centre, in pixels; density per square pixel is the filter.

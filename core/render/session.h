@@ -21,7 +21,7 @@ struct SessionSettings {
     std::vector<Pass> passes;
     std::optional<double> efficiency{};  // as FilmLayout has it
     double exposure = 1.0;
-    int threads = 0;                     // at most; 0: all the processor has
+    int threads = 0;  // at most; 0: all the processor has
 };
 
 class Session {

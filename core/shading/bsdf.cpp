@@ -172,8 +172,7 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const V2f& u) const
                       .pdf = mixture.pdf,
                       .is_transmitted = drawn->is_transmitted,
                       .is_diffuse = lobe.is_diffuse(),
-                      .alpha_squared =
-                          lobe.has_facets() ? lobe.alpha_x * lobe.alpha_y : 1.0f};
+                      .alpha_squared = lobe.has_facets() ? lobe.alpha_x * lobe.alpha_y : 1.0f};
 }
 
 }  // namespace eye_render

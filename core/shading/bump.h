@@ -10,8 +10,8 @@
 
 namespace eye_render {
 
-// Two steps along the surface, `width_px` pixels wide as they are seen from straight above: what is
-// finer than a pixel is not seen, and steps much smaller would difference roundings. Their
+// Two steps along the surface, `width_px` pixels wide as they are seen from straight above: what
+// is finer than a pixel is not seen, and steps much smaller would difference roundings. Their
 // directions are those of Cycles, because a height that bends within a step tells them apart.
 [[nodiscard]] inline std::array<V3f, 2> bump_offsets(const ShadingPoint& point,
                                                      const V3f& position_world,
@@ -20,8 +20,7 @@ namespace eye_render {
     constexpr float least_roundings = 64.0f * 1.2e-7f;  // of the position's float steps
     const float largest = std::max(
         {std::abs(position_world.x), std::abs(position_world.y), std::abs(position_world.z)});
-    const float width =
-        std::max({point.footprint * width_px, least_roundings * largest, 1e-6f});
+    const float width = std::max({point.footprint * width_px, least_roundings * largest, 1e-6f});
     const V3f& n = point.ng;
     const V3f diagonal(n.x == n.y && n.x == n.z ? -1.0f : 1.0f, 1.0f, 1.0f);
     const V3f s = diagonal.cross(n).normalized();

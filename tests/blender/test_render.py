@@ -46,7 +46,7 @@ def channel_averages(path: str) -> dict[str, float]:
 def sharp(scene):
     """Without blur and with a narrow filter, so that single pixels can be told."""
     scene.camera.data.eye_render.model = "PINHOLE"
-    scene.render.filter_size = 0.01
+    scene.cycles.filter_width = 0.01
     return scene
 
 

@@ -183,9 +183,9 @@ TEST(Integrator, transparent_film_shows_through_glass_as_smooth_as_asked_for)
         data.world = test::even_world(1.0f);
         const Scene scene(data, V3d(0.0));
         SampleSequence sequence(1, 0);
-        return trace_path(
-            scene, {.film_transparent = true, .clear_alpha_squared = clear_alpha_squared}, {},
-            sequence);
+        return trace_path(scene,
+                          {.film_transparent = true, .clear_alpha_squared = clear_alpha_squared},
+                          {}, sequence);
     };
     // Of index 1 it takes and turns nothing.
     EXPECT_EQ(behind(0.0f, 1.0f, -1.0f).alpha, 1.0f);

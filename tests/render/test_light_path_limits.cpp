@@ -48,9 +48,9 @@ TEST(LightPathLimits, diffuse_bounces_end_the_series_of_a_furnace)
             expected += std::pow(a, i);
         }
         SCOPED_TRACE(bounces);
-        expect_matches(
-            estimate(scene, {.max_bounces = 16, .limits = {.diffuse_bounces = bounces}}, {}, 20000),
-            expected);
+        expect_matches(estimate(scene, {.max_bounces = 16, .limits = {.diffuse_bounces = bounces}},
+                                {}, 20000),
+                       expected);
         expect_matches(estimate(scene,
                                 {.max_bounces = bounces,
                                  .limits = {.glossy_bounces = 0, .transmission_bounces = 0}},
@@ -80,7 +80,8 @@ TEST(LightPathLimits, transparent_bounces_stop_a_path_one_sheet_later_than_a_sha
     const auto seen = [](int sheets, int limit) {
         SceneData data;
         for (int i = 0; i < sheets; ++i) {
-            test::place(data, test::square(9.0f), V3d(0.0, 0.0, -1.0 - i), test::transparent(1.0f));
+            test::place(data, test::square(9.0f), V3d(0.0, 0.0, -1.0 - i),
+                        test::transparent(1.0f));
         }
         data.world = test::even_world(1.0f);
         const Scene scene(data, V3d(0.0));
@@ -115,9 +116,8 @@ double under_a_roof(const Material& roof, const LightPathLimits& limits)
 TEST(LightPathLimits, without_caustics_glass_lets_no_light_to_a_diffuse_floor)
 {
     // Of index 1, glass bends and reflects nothing.
-    const Material glass = plain_material("BSDF_GLASS", {{"Color", V3f(1.0f)},
-                                                         {"Roughness", V3f(0.0f)},
-                                                         {"IOR", V3f(1.0f)}});
+    const Material glass = plain_material(
+        "BSDF_GLASS", {{"Color", V3f(1.0f)}, {"Roughness", V3f(0.0f)}, {"IOR", V3f(1.0f)}});
     EXPECT_NEAR(under_a_roof(glass, {}), 0.5, 0.01);
     EXPECT_NEAR(under_a_roof(glass, {.reflective_caustics = false}), 0.5, 0.01);
     // What comes in below the roof's far edge.
@@ -125,13 +125,12 @@ TEST(LightPathLimits, without_caustics_glass_lets_no_light_to_a_diffuse_floor)
     EXPECT_LT(under_a_roof(glass, {.refractive_caustics = false}), sliver);
     const Material refraction = plain_material("BSDF_REFRACTION", {{"Roughness", V3f(0.0f)}});
     EXPECT_LT(under_a_roof(refraction, {.refractive_caustics = false}), sliver);
-    const Material principled =
-        plain_material("BSDF_PRINCIPLED", {{"Base Color", V3f(1.0f)},
-                                           {"Transmission Weight", V3f(1.0f)},
-                                           {"Roughness", V3f(0.0f)}});
-    EXPECT_LT(under_a_roof(principled,
-                           {.reflective_caustics = false, .refractive_caustics = false}),
-              sliver);
+    const Material principled = plain_material(
+        "BSDF_PRINCIPLED",
+        {{"Base Color", V3f(1.0f)}, {"Transmission Weight", V3f(1.0f)}, {"Roughness", V3f(0.0f)}});
+    EXPECT_LT(
+        under_a_roof(principled, {.reflective_caustics = false, .refractive_caustics = false}),
+        sliver);
     EXPECT_GT(under_a_roof(principled, {.reflective_caustics = false}), 0.2);
 }
 
@@ -163,8 +162,8 @@ TEST(LightPathLimits, without_caustics_mirrors_light_no_diffuse_wall)
 
 TEST(LightPathLimits, clamping_cuts_each_contribution_to_its_mean_and_keeps_its_hue)
 {
-    SceneData data = wall(plain_material("EMISSION", {{"Color", V3f(1.0f, 0.5f, 0.0f)},
-                                                      {"Strength", V3f(40.0f)}}));
+    SceneData data = wall(
+        plain_material("EMISSION", {{"Color", V3f(1.0f, 0.5f, 0.0f)}, {"Strength", V3f(40.0f)}}));
     const Scene scene(data, V3d(0.0));
     const auto seen = [&scene](const LightPathLimits& limits) {
         SampleSequence sequence(1, 0);

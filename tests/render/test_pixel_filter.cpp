@@ -92,7 +92,8 @@ TEST(PixelFilter, of_a_box_is_a_pixel_whatever_its_width)
 TEST(PixelFilter, refuses_a_width_of_zero)
 {
     EXPECT_THROW(PixelFilter(PixelFilterKind::Box, 0.0), std::invalid_argument);
-    EXPECT_THROW(PixelFilter(PixelFilterKind::BlackmanHarris, std::nan("")), std::invalid_argument);
+    EXPECT_THROW(PixelFilter(PixelFilterKind::BlackmanHarris, std::nan("")),
+                 std::invalid_argument);
 }
 
 }  // namespace

@@ -226,7 +226,8 @@ TEST(BumpNode, filter_width_is_the_step_in_pixels)
     for (const float width_px : {0.1f, 1.0f, 2.0f}) {
         const V3f found = bumped(hit, point, {{"Filter Width", width_px}});
         // Along two axes, so the root of 2 as steep.
-        EXPECT_NEAR(std::hypot(found.x, found.y) / found.z, std::sqrt(2.0f) * 0.1f * width_px, 1e-4f)
+        EXPECT_NEAR(std::hypot(found.x, found.y) / found.z, std::sqrt(2.0f) * 0.1f * width_px,
+                    1e-4f)
             << width_px;
     }
 }

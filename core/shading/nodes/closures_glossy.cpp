@@ -144,7 +144,8 @@ public:
         const Color3f none(0.0f);
         add_glass(shaded.bsdf, surface(point, in.vector(Normal), in.number(Roughness)),
                   Color3f(weight), path.shows_reflections ? color : none,
-                  path.shows_refractions ? color : none, {.ior = point.backfacing ? 1.0f / ior : ior});
+                  path.shows_refractions ? color : none,
+                  {.ior = point.backfacing ? 1.0f / ior : ior});
     }
 };
 

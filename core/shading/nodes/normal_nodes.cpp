@@ -123,8 +123,7 @@ public:
         }
         const Hit& hit = in.hit();
         const float width_px = std::max(in.number(filter_width_input), 0.0f);
-        const auto offsets =
-            bump_offsets(hit.point, hit.attributes.position_world(), width_px);
+        const auto offsets = bump_offsets(hit.point, hit.attributes.position_world(), width_px);
         const float height = in.number(height_input);
         V2f rise(0.0f);
         for (int i = 0; i < 2; ++i) {
