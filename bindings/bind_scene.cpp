@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <optional>
-#include <variant>
 
 namespace eye_render {
 
@@ -61,7 +60,8 @@ void add_instances(SceneBuilder& scene,
                    float pass_index,
                    const std::optional<Array<float>>& randoms,
                    const std::vector<std::string>& hidden_from,
-                   bool is_holdout)
+                   bool is_holdout,
+                   const std::map<std::string, Array<float>>& attributes)
 {
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
@@ -77,15 +77,14 @@ void add_instances(SceneBuilder& scene,
         throw std::invalid_argument("randoms has shape " + shape_text(*randoms) + "; expected (" +
                                     std::to_string(count) + ",)");
     }
-    Visibility visibility;
-    for (const std::string& ray : hidden_from) {
-        visibility.*named<bool Visibility::*>("hidden_from", ray,
-                                              {{"CAMERA", &Visibility::to_camera},
-                                               {"DIFFUSE", &Visibility::to_diffuse},
-                                               {"GLOSSY", &Visibility::to_glossy},
-                                               {"TRANSMISSION", &Visibility::to_transmission},
-                                               {"SHADOW", &Visibility::to_shadow}}) = false;
+    for (const auto& [name, values] : attributes) {
+        if (values.ndim() != 2 || values.shape(0) != count || values.shape(1) != 4) {
+            throw std::invalid_argument("attribute '" + name + "' has shape " +
+                                        shape_text(values) + "; expected (" +
+                                        std::to_string(count) + ", 4)");
+        }
     }
+    const Visibility visibility = visibility_from(hidden_from);
     for (py::ssize_t i = 0; i < count; ++i) {
         ObjectLook look{.pass_index = pass_index};
         if (colors) {
@@ -95,6 +94,13 @@ void add_instances(SceneBuilder& scene,
         if (randoms) {
             look.random = *randoms->data(i);
         }
+        for (const auto& [name, values] : attributes) {
+            if (const auto number = scene.attribute_number(name)) {
+                const float* c = values.data(i, 0);
+                look.properties.push_back(
+                    {.attribute = *number, .value = Color4f(c[0], c[1], c[2], c[3])});
+            }
+        }
         scene.add_instance({.mesh = mesh,
                             .world_from_object = matrix_from(world_from_object.data(i, 0, 0)),
                             .materials = materials,
@@ -102,56 +108,6 @@ void add_instances(SceneBuilder& scene,
                             .visibility = visibility,
                             .is_holdout = is_holdout});
     }
-}
-
-// Keyword arguments go to the members of the same name.
-void set_lamp_member(LampSettings& settings, const std::string& name, const py::handle& value)
-{
-    using Member =
-        std::variant<float LampSettings::*, bool LampSettings::*, LampShape LampSettings::*>;
-    const auto member = named<Member>("setting of a light", name,
-                                      {{"radius", &LampSettings::radius},
-                                       {"soft_falloff", &LampSettings::soft_falloff},
-                                       {"angle_rad", &LampSettings::angle_rad},
-                                       {"spot_angle_rad", &LampSettings::spot_angle_rad},
-                                       {"spot_blend", &LampSettings::spot_blend},
-                                       {"spot_cosine_falloff", &LampSettings::spot_cosine_falloff},
-                                       {"shape", &LampSettings::shape},
-                                       {"size_x", &LampSettings::size_x},
-                                       {"size_y", &LampSettings::size_y},
-                                       {"spread_rad", &LampSettings::spread_rad},
-                                       {"casts_shadow", &LampSettings::casts_shadow}});
-    if (const auto* number = std::get_if<float LampSettings::*>(&member)) {
-        settings.** number = value.cast<float>();
-    } else if (const auto* flag = std::get_if<bool LampSettings::*>(&member)) {
-        settings.** flag = value.cast<bool>();
-    } else {
-        settings.shape =
-            named<LampShape>("shape", value.cast<std::string>(),
-                             {{"RECTANGLE", LampShape::Rectangle}, {"DISK", LampShape::Disk}});
-    }
-}
-
-void add_light(SceneBuilder& scene,
-               const std::string& name,
-               const std::string& kind,
-               const Array<double>& world_from_light,
-               const py::object& color,
-               const py::kwargs& settings)
-{
-    LampData lamp{.name = name,
-                  .settings = {},
-                  .world_from_light = matrix_from(world_from_light, "world_from_light")};
-    lamp.settings.kind = named<LampKind>("kind", kind,
-                                         {{"POINT", LampKind::Point},
-                                          {"SUN", LampKind::Sun},
-                                          {"SPOT", LampKind::Spot},
-                                          {"AREA", LampKind::Area}});
-    lamp.settings.color = color_from("color of light '" + name + "'", color);
-    for (const auto& [key, value] : settings) {
-        set_lamp_member(lamp.settings, key.cast<std::string>(), value);
-    }
-    scene.add_lamp(lamp);
 }
 
 void set_camera(SceneBuilder& scene,
@@ -186,12 +142,27 @@ void set_camera(SceneBuilder& scene,
 
 }  // namespace
 
+Visibility visibility_from(const std::vector<std::string>& hidden_from)
+{
+    Visibility visibility;
+    for (const std::string& ray : hidden_from) {
+        visibility.*named<bool Visibility::*>("hidden_from", ray,
+                                              {{"CAMERA", &Visibility::to_camera},
+                                               {"DIFFUSE", &Visibility::to_diffuse},
+                                               {"GLOSSY", &Visibility::to_glossy},
+                                               {"TRANSMISSION", &Visibility::to_transmission},
+                                               {"SHADOW", &Visibility::to_shadow}}) = false;
+    }
+    return visibility;
+}
+
 void bind_scene(py::module_& m)
 {
     using namespace py::literals;
 
     SceneClass scene(m, "Scene", "What is to be seen.");
     bind_materials(scene);
+    bind_lights(scene);
     scene.def(py::init<>())
         .def("add_mesh", &add_mesh, "name"_a, "positions"_a, "triangles"_a, py::kw_only(),
              "normals"_a = py::none(), "uvs"_a = py::dict(), "attributes"_a = py::dict(),
@@ -202,20 +173,14 @@ void bind_scene(py::module_& m)
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(),
              "pass_index"_a = 0.0f, "randoms"_a = py::none(), "hidden_from"_a = py::list(),
-             "is_holdout"_a = false,
+             "is_holdout"_a = false, "attributes"_a = py::dict(),
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot. For the "
              "Object\n"
              "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
              "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, SHADOW rays; a holdout is cut "
              "out "
              "of\n"
-             "the picture.")
-        .def(
-            "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
-            "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
-            "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
-            "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"
-            "casts_shadow.")
+             "the picture. attributes (n, 4), of objects, where the mesh has none of the name.")
         .def("set_camera", &set_camera, "world_from_camera"_a, "slope_bounds"_a, "resolution"_a,
              "border"_a = py::none(), "clip"_a = std::array<double, 2>{0.001, 1e9},
              "metres_per_unit"_a = 1.0,

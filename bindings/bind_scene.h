@@ -16,6 +16,10 @@ struct NodeSocket {
 };
 
 void bind_materials(SceneClass& scene);
+void bind_lights(SceneClass& scene);
+
+// What is not named sees and is seen.
+[[nodiscard]] Visibility visibility_from(const std::vector<std::string>& hidden_from);
 
 // Three numbers, linear Rec. 709; `name` is what they are for, as errors say it.
 [[nodiscard]] Color3f color_from(const std::string& name, const py::handle& value);

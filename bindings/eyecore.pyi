@@ -268,6 +268,7 @@ class Scene:
         randoms: ArrayLike | None = None,
         hidden_from: Sequence[str] = ...,
         is_holdout: bool = False,
+        attributes: Mapping[str, ArrayLike] = ...,
     ) -> None: ...
     def add_light(
         self,
@@ -276,6 +277,8 @@ class Scene:
         world_from_light: ArrayLike,
         color: Sequence[float],
         *,
+        surface: NodeSocket | None = None,
+        hidden_from: Sequence[str] = ("CAMERA",),
         radius: float = 0.0,
         soft_falloff: bool = True,
         angle_rad: float = 0.0,

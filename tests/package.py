@@ -6,6 +6,7 @@ import zipfile
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
+SKY_LICENSE = ROOT / "core/shading/sky/LICENSE.hosek_wilkie"  # of data in the module
 BUILD = Path(os.environ.get("EYE_BUILD_DIR", ROOT / "build"))
 
 
@@ -19,7 +20,7 @@ def make_zip() -> Path:
     with zipfile.ZipFile(package, "w", zipfile.ZIP_DEFLATED) as archive:
         for path in sources:
             archive.write(path, "eye_render" / path.relative_to(addon))
-        for path in [*modules, ROOT / "LICENSE"]:
+        for path in [*modules, ROOT / "LICENSE", SKY_LICENSE]:
             archive.write(path, f"eye_render/{path.name}")
     return package
 

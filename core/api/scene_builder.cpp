@@ -1,5 +1,6 @@
 #include "api/scene_builder.h"
 
+#include "api/scene_resources.h"
 #include "base/error.h"
 
 #include <algorithm>
@@ -9,15 +10,6 @@
 namespace eye_render {
 
 namespace {
-
-void require_index(const std::string& what, std::size_t index, std::size_t count)
-{
-    if (index >= count) {
-        throw std::invalid_argument(what + " " + std::to_string(index) +
-                                    " does not exist; there " +
-                                    (count == 1 ? "is 1" : "are " + std::to_string(count)));
-    }
-}
 
 void require_finite(const std::string& what, const M44d& matrix)
 {
@@ -29,39 +21,6 @@ void require_finite(const std::string& what, const M44d& matrix)
         }
     }
 }
-
-int intern(std::vector<std::string>& names, const std::string& name)
-{
-    const auto found = std::ranges::find(names, name);
-    if (found != names.end()) {
-        return static_cast<int>(found - names.begin());
-    }
-    names.push_back(name);
-    return static_cast<int>(names.size() - 1);
-}
-
-// Gives the layers of a scene their numbers, as materials name them.
-class SceneResources final : public NodeResources {
-public:
-    explicit SceneResources(SceneData& data) : data_(data) {}
-
-    [[nodiscard]] int uv_layer(const std::string& name) override
-    {
-        return intern(data_.uv_layer_names, name);
-    }
-    [[nodiscard]] int attribute(const std::string& name) override
-    {
-        return intern(data_.attribute_names, name);
-    }
-    void require_texture(int texture) override
-    {
-        require_index("texture", static_cast<std::size_t>(texture),
-                      static_cast<std::size_t>(data_.textures.size()));
-    }
-
-private:
-    SceneData& data_;
-};
 
 // The sun of a sky that is laid out as the world is; one that is turned by other nodes is found by
 // sampling alone.
@@ -144,16 +103,36 @@ void SceneBuilder::add_instance(InstanceData instance)
     data_.instances.push_back(std::move(instance));
 }
 
-void SceneBuilder::add_lamp(const LampData& lamp)
+std::optional<int> SceneBuilder::attribute_number(const std::string& name) const
+{
+    const auto found = std::ranges::find(data_.attribute_names, name);
+    if (found == data_.attribute_names.end()) {
+        return std::nullopt;
+    }
+    return static_cast<int>(found - data_.attribute_names.begin());
+}
+
+void SceneBuilder::add_lamp(LampData lamp,
+                            const NodeGraph& graph,
+                            const std::optional<NodeOutput>& surface)
 {
     require_unleased();
     require_finite("world_from_light of lamp '" + lamp.name + "'", lamp.world_from_light);
+    if (surface) {
+        SceneResources resources(data_);
+        Material nodes = make_material(lamp.name, graph, surface, std::nullopt, resources);
+        if (const auto constant = nodes.surface.constant_emission()) {
+            lamp.settings.color *= *constant;
+        } else {
+            lamp.nodes = std::move(nodes);
+        }
+    }
     try {
         static_cast<void>(make_lamp(lamp.settings));  // for its checks
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("lamp '" + lamp.name + "': " + error.what());
     }
-    data_.lamps.push_back(lamp);
+    data_.lamps.push_back(std::move(lamp));
 }
 
 void SceneBuilder::set_world(const NodeGraph& graph, const std::optional<NodeOutput>& surface)

@@ -25,7 +25,12 @@ public:
                              const std::optional<NodeOutput>& displacement = std::nullopt,
                              int pass_index = 0);
     void add_instance(InstanceData instance);
-    void add_lamp(const LampData& lamp);
+    // The number of an attribute that some material reads, for properties of instances.
+    [[nodiscard]] std::optional<int> attribute_number(const std::string& name) const;
+    // Its light is multiplied by what `surface` of the graph, if it is said, shines with.
+    void add_lamp(LampData lamp,
+                  const NodeGraph& graph = {},
+                  const std::optional<NodeOutput>& surface = std::nullopt);
     void set_world(const NodeGraph& graph, const std::optional<NodeOutput>& surface);
     void set_camera(const CameraFrame& frame);
     [[nodiscard]] TextureSet& textures();

@@ -32,6 +32,7 @@ public:
 
     PathRadiance trace(Ray ray)
     {
+        last_->point.p_world = ray.origin;
         for (;;) {
             auto hit = scene_.intersect(ray, path_);
             add_lamps(ray, hit ? hit->t : ray.t_max);
@@ -106,8 +107,8 @@ private:
     void blur(Bsdf& bsdf) const
     {
         const float filter = settings_.limits.filter_glossy;
-        if (least_pdf_ < filter) {
-            bsdf.blur(0.5f * std::sqrt(1.0f - least_pdf_ / filter));
+        if (path_.smallest_pdf < filter) {
+            bsdf.blur(0.5f * std::sqrt(1.0f - path_.smallest_pdf / filter));
         }
     }
 
@@ -117,16 +118,13 @@ private:
         shows_film_ = shows_film_ && sample.is_transmitted &&
                       sample.alpha_squared <= settings_.clear_alpha_squared;
         if (!sample.is_delta) {
-            least_pdf_ = std::min(least_pdf_, sample.pdf);
+            path_.smallest_pdf = std::min(path_.smallest_pdf, sample.pdf);
         }
     }
 
     void add_lamps(const Ray& ray, float t_end)
     {
-        if (path_.depth == 0) {
-            return;
-        }
-        scene_.visit_lamps(last_->point, ray.direction, travelled_, travelled_ + t_end,
+        scene_.visit_lamps(last_->point, path_, ray.direction, travelled_, travelled_ + t_end,
                            [this](const LampContribution& lamp) {
                                light_.add(throughput_ * lamp.radiance *
                                               last_->weight_against(lamp.pdf),
@@ -185,7 +183,10 @@ private:
         if (!light) {
             return;
         }
-        const BsdfValue scattered = bsdf.evaluate(light->wi);
+        BsdfValue scattered = bsdf.evaluate(light->wi);
+        if (!light->visibility.to_all_scattering()) {
+            scattered.value = light->visibility.seen_part(bsdf.parts(light->wi));
+        }
         if (max_component(scattered.value) <= 0.0f) {
             return;
         }
@@ -229,7 +230,6 @@ private:
     float travelled_ = 0.0f;      // from the last scattering, through straight passages
     float length_ = 0.0f;         // of all of the path
     PathState path_;
-    float least_pdf_ = std::numeric_limits<float>::infinity();  // of the bounces so far
     bool shows_film_ = true;  // nothing has come between it and the eye but what is clear
 };
 

@@ -1,7 +1,7 @@
 // The path tracer: what radiance comes down one ray. It knows neither eye nor film.
 //
 // Unidirectional, next-event estimation and BSDF sampling weighed by the power heuristic (Veach
-// 1997, 9.2), Russian roulette by throughput. Lamps are not seen by the first ray, as in Cycles.
+// 1997, 9.2), Russian roulette by throughput.
 
 #pragma once
 

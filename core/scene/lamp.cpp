@@ -117,6 +117,7 @@ Lamp make_lamp(const LampSettings& settings)
     Lamp lamp;
     lamp.kind = settings.kind;
     lamp.casts_shadow = settings.casts_shadow;
+    lamp.visibility = settings.visibility;
     lamp.position = row(settings.world_from_light, 3);
 
     // Orthogonal axes even from a sheared matrix, which no lamp can follow.
@@ -156,7 +157,7 @@ Lamp make_lamp(const LampSettings& settings)
 
 float lamp_peak_intensity(const Lamp& lamp)
 {
-    const float emission = luminance(lamp.emission);
+    const float emission = luminance(lamp.emission) * lamp.brightness;
     if (lamp.is_delta) {
         return emission;
     }

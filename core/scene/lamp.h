@@ -4,11 +4,12 @@
 // point to the lamp. Probabilities are per unit solid angle at the lit point. A point or spot
 // lamp with a radius is a disk turned to the lit point (Blender's "soft falloff", its default) or
 // a sphere that shines outwards. An area lamp shines to its local -Z only, a spot along its local
-// -Z, and the sun's light travels along its local -Z. Camera rays never see lamps.
+// -Z, and the sun's light travels along its local -Z.
 
 #pragma once
 
 #include "base/vector.h"
+#include "scene/visibility.h"
 
 #include <numbers>
 #include <optional>
@@ -37,6 +38,7 @@ struct LampSettings {
     float size_y = 1.0f;
     float spread_rad = 3.1415927f;  // area: full angle that its honeycomb grid lets through
     bool casts_shadow = true;
+    Visibility visibility{.to_camera = false};  // to what scatters its light
 };
 
 // A lamp as the queries below want it. Plain data; `make_lamp` derives it.
@@ -51,6 +53,8 @@ struct Lamp {
     V3f axis_x{1.0f, 0.0f, 0.0f};  // unit, orthogonal
     V3f axis_y{0.0f, 1.0f, 0.0f};
     V3f axis_z{0.0f, 0.0f, 1.0f};  // the light leaves along -axis_z
+    Visibility visibility{.to_camera = false};
+    float brightness = 1.0f;  // luminance of what its nodes multiply the emission by, at the most
     // Peak radiance; for delta lamps radiant intensity (point, spot) or irradiance (sun).
     Color3f emission{0.0f};
     float radius = 0.0f;  // point and spot

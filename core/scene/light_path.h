@@ -8,4 +8,7 @@ namespace eye_render {
 
 inline constexpr PathState light_path{.is_camera = false, .depth = 1};
 
+// And at what stands between the two.
+inline constexpr PathState shadow_path{.is_camera = false, .is_shadow = true};
+
 }  // namespace eye_render

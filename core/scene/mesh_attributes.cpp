@@ -64,6 +64,11 @@ AttributeValue MeshAttributes::attribute(int attribute) const
 {
     const int layer = placement_.layers->attributes[static_cast<std::size_t>(attribute)];
     if (layer == LayerLookup::none) {
+        for (const ObjectProperty& property : placement_.look.properties) {
+            if (property.attribute == attribute) {
+                return {.value = property.value, .exists = true};
+            }
+        }
         return {};
     }
     return {.value = interpolate_corners(

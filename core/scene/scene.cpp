@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "scene/scene_probe.h"
 #include "scene/transform.h"
 
 #include <algorithm>
@@ -54,17 +55,7 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFra
     add_placements();
     accelerator_.build();
 
-    for (const LampData& lamp : data.lamps) {
-        LampSettings settings = lamp.settings;
-        settings.world_from_light =
-            to_float(relative_to_eye(lamp.world_from_light, eye_position_world));
-        lamps_.push_back(make_lamp(settings));
-        // Rays would lose a lamp without shadows behind what it shines through: sampling alone
-        // finds it.
-        if (!lamps_.back().is_delta && lamps_.back().casts_shadow) {
-            visible_lamps_.push_back(static_cast<std::uint32_t>(lamps_.size() - 1));
-        }
-    }
+    add_lamps();
     environment_ = Environment(data.world, frame_, data.world_sun);
     std::vector<EmissiveTriangle> triangles;
     add_emitters(triangles);
@@ -159,7 +150,9 @@ std::optional<SurfaceHit> Scene::intersect(const Ray& ray, const PathState& path
 ShadedPoint Scene::shade(const SurfaceHit& hit, const PathState& path) const
 {
     const MeshAttributes at = attributes(hit);
-    return hit.material().surface.shade({.point = hit.point, .attributes = at, .path = path});
+    const SceneProbe probe(*this, hit);
+    return hit.material().surface.shade(
+        {.point = hit.point, .attributes = at, .path = path, .probe = &probe});
 }
 
 Color3f Scene::straight_transmittance(const SurfaceHit& hit, const PathState& path) const

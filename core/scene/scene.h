@@ -8,11 +8,14 @@
 #include "base/vector.h"
 #include "scene/accelerator.h"
 #include "scene/environment.h"
+#include "scene/lamp_attributes.h"
+#include "scene/lamp_tree.h"
 #include "scene/light_sampler.h"
 #include "scene/mesh_attributes.h"
 #include "scene/scene_data.h"
 #include "scene/surface_hit.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -33,6 +36,7 @@ struct IncomingLight {
     // Whether a ray that a BSDF sends this way may find the light too, so that MIS must weigh.
     bool is_met_by_rays = true;
     bool casts_shadow = true;
+    Visibility visibility{};  // for which kinds of scattering it is there
 };
 
 // Lamps that a ray meets, to be weighed against sampling them.
@@ -75,6 +79,15 @@ public:
                                         const PathState& path = {},
                                         int most_passages = max_straight_passages) const;
 
+    // True if anything that throws shadows stands in the way, even if light passes through it.
+    [[nodiscard]] bool is_blocked(const Ray& ray) const;
+
+    // Calls visit(SurfaceHit) for the surfaces of one object along the ray, in their order, for as
+    // long as it says true. Other objects are passed by.
+    void visit_object(const Ray& ray,
+                      const Placement& placement,
+                      const std::function<bool(const SurfaceHit&)>& visit) const;
+
     // Weighs the lights for a point whose lit side is `n`.
     void weigh_lights(const V3f& p, const V3f& n, LitPoint& point) const
     {
@@ -92,23 +105,30 @@ public:
     [[nodiscard]] float emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const;
     [[nodiscard]] float environment_pdf(const V3f& wi, const LitPoint& point) const;
 
-    // Calls visit(LampContribution) for each lamp between t_min and t_max along a ray that a BSDF
-    // chose at the point. Lamps do not stop rays.
+    // Calls visit(LampContribution) for each lamp that the path sees between t_min and t_max along
+    // a ray that a BSDF, or the camera, chose at the point. Lamps do not stop rays.
     template <typename Visit>
     void visit_lamps(const LitPoint& point,
+                     const PathState& path,
                      const V3f& direction,
                      float t_min,
                      float t_max,
                      Visit visit) const
     {
-        for (const std::uint32_t index : visible_lamps_) {
+        const LampTree& lamps = path.is_camera ? camera_lamps_ : visible_lamps_;
+        lamps.visit(point.p_world, direction, t_max, [&](std::uint32_t index) {
+            if (!lamps_[index].visibility.sees(path)) {
+                return;
+            }
             const auto hit = lamp_hit(lamps_[index], point.p_world, direction, t_max);
             if (hit && hit->t > t_min) {
+                const LampSight sight{
+                    .p_lit_world = point.p_world, .wi = direction, .distance = hit->t};
                 visit(LampContribution{
-                    hit->radiance,
+                    hit->radiance * lamp_factor(index, sight, path),
                     hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point)});
             }
-        }
+        });
     }
 
     [[nodiscard]] Color3f background(const V3f& direction, const PathState& path) const
@@ -126,7 +146,13 @@ private:
                                    const V2f& weights,
                                    const V3f& wo) const;
     void add_placements();
+    void add_lamps();
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
+    // What the nodes of a lamp multiply its light by.
+    [[nodiscard]] Color3f lamp_factor(std::uint32_t index,
+                                      const LampSight& sight,
+                                      const PathState& path) const;
+    [[nodiscard]] float brightest_factor(std::uint32_t index) const;
     // As the accelerator holds them: in the world for a flat placement, else in object space.
     [[nodiscard]] std::array<V3f, 3> accelerator_corners(const Emitter& emitter) const;
     [[nodiscard]] std::array<V3f, 3> corners_world(const Emitter& emitter) const;
@@ -144,7 +170,9 @@ private:
     std::vector<Placement> placements_;
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;
-    std::vector<std::uint32_t> visible_lamps_;  // those with an extent
+    std::vector<ObjectFacts> lamp_facts_;  // one a lamp
+    LampTree visible_lamps_;               // those that rays may meet
+    LampTree camera_lamps_;                // and those of them that the camera sees
     Environment environment_;
     LightSampler light_sampler_;
     bool may_be_transparent_ = false;  // some material or object lets light straight through

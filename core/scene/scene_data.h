@@ -10,16 +10,24 @@
 #include "shading/material.h"
 #include "shading/sky.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace eye_render {
 
-// What the Object Info node tells of an object, besides its place.
+// A property that takes the place of an attribute which the mesh lacks.
+struct ObjectProperty {
+    int attribute = 0;
+    Color4f value{0.0f};
+};
+
+// What nodes are told of an object, besides its place.
 struct ObjectLook {
     Color4f color{1.0f};
     float pass_index = 0.0f;
     float random = 0.0f;  // of this instance, in [0, 1)
+    std::vector<ObjectProperty> properties{};
 };
 
 struct InstanceData {
@@ -35,6 +43,8 @@ struct LampData {
     std::string name;
     LampSettings settings;  // world_from_light is left out of account
     M44d world_from_light;
+    // Multiplies its light, where that is not one colour (which is part of the settings).
+    std::optional<Material> nodes{};
 };
 
 struct SceneData {

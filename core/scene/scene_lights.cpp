@@ -107,12 +107,16 @@ std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
     case LightKind::Lamp: {
         const Lamp& lamp = lamps_[choice->index];
         if (const auto sample = sample_lamp(lamp, p, u)) {
+            const LampSight sight{
+                .p_lit_world = p, .wi = sample->wi, .distance = sample->distance};
             light = IncomingLight{.wi = sample->wi,
                                   .distance = sample->distance * (1.0f - shadow_margin),
-                                  .radiance = sample->radiance,
+                                  .radiance = sample->radiance *
+                                              lamp_factor(choice->index, sight, light_path),
                                   .pdf = sample->pdf,
                                   .is_met_by_rays = !lamp.is_delta && lamp.casts_shadow,
-                                  .casts_shadow = lamp.casts_shadow};
+                                  .casts_shadow = lamp.casts_shadow,
+                                  .visibility = lamp.visibility};
         }
         break;
     }

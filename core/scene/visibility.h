@@ -1,4 +1,4 @@
-// Which rays see an object, as Blender's ray visibility says.
+// Which rays see an object or a lamp, as Blender's ray visibility says.
 
 #pragma once
 
@@ -16,6 +16,21 @@ struct Visibility {
     [[nodiscard]] bool to_all() const
     {
         return to_camera && to_diffuse && to_glossy && to_transmission && to_shadow;
+    }
+
+    [[nodiscard]] bool to_all_scattering() const
+    {
+        return to_diffuse && to_glossy && to_transmission;
+    }
+
+    // Of light that is sampled where it is scattered.
+    [[nodiscard]] Color3f seen_part(const BsdfParts& parts) const
+    {
+        Color3f sum(0.0f);
+        sum += to_diffuse ? parts.diffuse : Color3f(0.0f);
+        sum += to_glossy ? parts.glossy : Color3f(0.0f);
+        sum += to_transmission ? parts.transmission : Color3f(0.0f);
+        return sum;
     }
 
     // For the ray that the path is about to follow.

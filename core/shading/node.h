@@ -15,8 +15,10 @@
 #include "shading/bsdf.h"
 #include "shading/hit_attributes.h"
 #include "shading/node_options.h"
+#include "shading/surface_probe.h"
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <span>
@@ -30,7 +32,14 @@ using NodeValue = V3f;
 enum class SocketType : std::uint8_t { Number, Vector, Color, Shader };
 
 // What an input that nothing is linked to reads in place of its value.
-enum class ImplicitInput : std::uint8_t { None, Generated, Uv, Normal, Position };
+enum class ImplicitInput : std::uint8_t {
+    None,
+    Generated,
+    Uv,
+    Normal,
+    Position,
+    Incoming,  // towards the viewer, unit, in the object's own space
+};
 
 struct InputSocket {
     std::string_view identifier;
@@ -64,6 +73,9 @@ struct PathState {
     bool is_reflection = false;
     bool is_transmission = false;
     float length = 0.0f;  // of the last ray, world units
+    // The least density, per unit solid angle, with which it was scattered so far: blurry if
+    // small.
+    float smallest_pdf = std::numeric_limits<float>::max();
     int depth = 0;
     int diffuse_depth = 0;
     int glossy_depth = 0;
@@ -79,6 +91,7 @@ struct Hit {
     const ShadingPoint& point;
     const HitAttributes& attributes;
     const PathState& path;
+    const SurfaceProbe* probe = nullptr;  // null where no rays may be sent
 };
 
 class ProgramRun;

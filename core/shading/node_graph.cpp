@@ -27,6 +27,25 @@ std::size_t index_of(const char* what,
                                 (names.empty() ? "none" : "one of " + names));
 }
 
+// Of no scene yet: whatever a node names is there.
+class AnyResources final : public NodeResources {
+public:
+    [[nodiscard]] int uv_layer(const std::string& /*name*/) override { return 0; }
+    [[nodiscard]] int attribute(const std::string& /*name*/) override { return 0; }
+    void require_texture(int /*texture*/) override {}
+};
+
+// Makes the node once, so that a value out of an option's range is refused where it is said.
+void require_makeable(const NodeType& type, const NodeOptions& options)
+{
+    AnyResources any;
+    if (type.make_value != nullptr) {
+        static_cast<void>(type.make_value(options, any));
+    } else if (type.make_closure != nullptr) {
+        static_cast<void>(type.make_closure(options, any));
+    }
+}
+
 constexpr auto identifier_of = [](const auto& socket) { return socket.identifier; };
 constexpr auto itself = [](std::string_view name) { return name; };
 
@@ -51,6 +70,7 @@ std::size_t NodeGraph::add(std::string_view type, NodeOptions options)
     for (const auto& [name, value] : options.values()) {
         static_cast<void>(index_of("option", name, found->options, *found, itself));
     }
+    require_makeable(*found, options);
     nodes_.push_back({.type = found,
                       .options = std::move(options),
                       .inputs = std::vector<Source>(found->inputs.size())});

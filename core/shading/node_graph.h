@@ -29,7 +29,7 @@ public:
     };
 
     // Returns the node's number. Throws std::invalid_argument for a kind or an option that does
-    // not exist.
+    // not exist, or for a value that the option cannot have.
     std::size_t add(std::string_view type, NodeOptions options = {});
 
     // Throw std::invalid_argument for a node or a socket that does not exist.

@@ -2,6 +2,7 @@
 
 #include "shading/bump.h"
 #include "shading/nowhere.h"
+#include "shading/object_space.h"
 
 #include <algorithm>
 
@@ -19,6 +20,8 @@ namespace {
     }
     case ImplicitInput::Normal: return hit.point.ns;
     case ImplicitInput::Position: return hit.attributes.position_world();
+    case ImplicitInput::Incoming:
+        return unit_or(normal_to_object(hit.attributes.object(), hit.point.wo), hit.point.wo);
     default: return NodeValue(0.0f);
     }
 }
@@ -115,7 +118,8 @@ ShadedPoint ShaderProgram::shade(const Hit& hit) const
     if (has_displacement_) {
         point.ns = displaced_normal(hit);
     }
-    const Hit displaced{.point = point, .attributes = hit.attributes, .path = hit.path};
+    const Hit displaced{
+        .point = point, .attributes = hit.attributes, .path = hit.path, .probe = hit.probe};
     ProgramRun run(steps_, value_count_, displaced);
     ShadedPoint shaded(point);
     for (const ProgramLeaf& leaf : leaves_) {

@@ -71,8 +71,8 @@ public:
     // Scatters nothing and emits nothing.
     ShaderProgram() = default;
 
-    // Throws std::invalid_argument for a graph that runs in a circle, for an option out of range,
-    // or for more lobes than a mixture holds.
+    // Throws std::invalid_argument for a graph that runs in a circle, for a texture that the scene
+    // does not have, or for more lobes than a mixture holds.
     ShaderProgram(const NodeGraph& graph,
                   const std::optional<NodeOutput>& surface,
                   const std::optional<NodeOutput>& displacement,

@@ -243,3 +243,30 @@ def absent_texture() -> None:
 def test_refusals_name_what_is_wrong_and_what_is_allowed(call, sentence: str) -> None:
     with pytest.raises(ValueError, match=sentence):
         call()
+
+
+def test_properties_of_instances_are_attributes_that_the_mesh_lacks() -> None:
+    scene = eyecore.Scene()
+    graph = eyecore.NodeGraph()
+    tone = graph.add("ATTRIBUTE", attribute_name="tone")
+    light = graph.add("EMISSION", {"Color": tone["Color"]})
+    material = scene.add_material("m", light["Emission"])
+    half = QUAD * [0.5, 1.0, 1.0]
+    mesh = scene.add_mesh("half", half.astype(np.float32), TRIANGLES)
+    at = np.stack([np.eye(4), np.eye(4)])
+    at[:, :3, 3] = [[-0.5, 0.0, -2.0], [0.5, 0.0, -2.0]]
+    tones = np.array([[0.5, 0.5, 0.5, 1], [0.25, 0.5, 1.0, 1]], np.float32)
+    scene.add_instances(mesh, at, [material], attributes={"tone": tones, "unread": tones})
+    image = picture(scene)
+    assert image[4, 1, :3] == pytest.approx([0.5, 0.5, 0.5])
+    assert image[4, 6, :3] == pytest.approx([0.25, 0.5, 1.0])
+    with pytest.raises(ValueError, match="attribute 'tone' has shape"):
+        scene.add_instances(mesh, at, [material], attributes={"tone": tones[:1]})
+
+
+def test_values_that_an_option_cannot_have_are_refused_by_the_node() -> None:
+    graph = eyecore.NodeGraph()
+    with pytest.raises(ValueError, match="operation is FLY"):
+        graph.add("MATH", operation="FLY")
+    with pytest.raises(ValueError, match="TILT="):
+        graph.add("TEX_IES", ies="not a profile")

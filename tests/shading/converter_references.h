@@ -20,16 +20,4 @@ inline const Json& references()
     return table;
 }
 
-inline const NodeType* converter_named(const std::string& name)
-{
-    for (const auto& family : {math_nodes(), color_nodes()}) {
-        for (const NodeType& type : family) {
-            if (type.name == name) {
-                return &type;
-            }
-        }
-    }
-    return nullptr;
-}
-
 }  // namespace eye_render::test

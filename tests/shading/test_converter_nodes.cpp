@@ -55,7 +55,7 @@ void expect_near(const NodeValue& made, const NodeValue& expected, double within
 void expect_case(const Json& reference)
 {
     const std::string name = reference["node"];
-    const NodeType* type = converter_named(name);
+    const NodeType* type = node_type_named(name);
     ASSERT_NE(type, nullptr) << name;
     if (type->reads_hit) {
         return;  // see test_placed_nodes.cpp
@@ -110,16 +110,16 @@ TEST(ConverterNodes, all_have_references)
 
 TEST(ConverterNodes, constants_are_what_they_are_told)
 {
-    EXPECT_EQ(NodeTrial(*converter_named("VALUE"), {{"value", 0.25}})("Value").x, 0.25f);
+    EXPECT_EQ(NodeTrial(*node_type_named("VALUE"), {{"value", 0.25}})("Value").x, 0.25f);
     const std::vector<float> rgba{0.1f, 0.2f, 0.3f, 1.0f};
-    EXPECT_EQ(NodeTrial(*converter_named("RGB"), {{"value", rgba}})("Color"),
+    EXPECT_EQ(NodeTrial(*node_type_named("RGB"), {{"value", rgba}})("Color"),
               NodeValue(0.1f, 0.2f, 0.3f));
 }
 
 TEST(ConverterNodes, operations_that_came_after_4_3_go_by_component)
 {
     const auto made = [](const char* operation) {
-        return NodeTrial(*converter_named("VECT_MATH"), {{"operation", operation}})
+        return NodeTrial(*node_type_named("VECT_MATH"), {{"operation", operation}})
             .set("Vector", NodeValue(-2.0f, 0.0f, 2.5f))
             .set("Vector_001", NodeValue(2.0f, 3.0f, 0.5f))("Vector");
     };
@@ -131,7 +131,7 @@ TEST(ConverterNodes, operations_that_came_after_4_3_go_by_component)
 TEST(ConverterNodes, refuse_what_they_do_not_know)
 {
     const auto make = [](const char* node, Options options) {
-        return NodeTrial(*converter_named(node), std::move(options));
+        return NodeTrial(*node_type_named(node), std::move(options));
     };
     EXPECT_THROW(make("MATH", {{"operation", "FLY"}}), std::invalid_argument);
     EXPECT_THROW(make("VECT_MATH", {{"operation", "FLY"}}), std::invalid_argument);
@@ -143,7 +143,7 @@ TEST(ConverterNodes, refuse_what_they_do_not_know)
 TEST(ConverterNodes, refuse_tables_that_are_none)
 {
     const auto make = [](const char* node, Options options) {
-        return NodeTrial(*converter_named(node), std::move(options));
+        return NodeTrial(*node_type_named(node), std::move(options));
     };
     const std::vector<float> four{0.0f, 0.2f, 0.4f, 1.0f};
     EXPECT_NO_THROW(make("CURVE_FLOAT", {{"curve", four}}));

@@ -157,15 +157,5 @@ TEST(WireframeNode, is_as_wide_as_it_says_over_both_triangles_of_an_edge)
     EXPECT_FALSE(is_wire(0.0101f, true));
 }
 
-TEST(BevelNode, leaves_the_normal_as_it_is)
-{
-    const MadeUpHit hit;
-    ShadingPoint point = seen_at(0.0);
-    point.ns = direction_at(20.0);
-    EXPECT_EQ(AskedNode{.type = "BEVEL"}("Normal", hit, point), point.ns);
-    const AskedNode bent{.type = "BEVEL", .inputs = {{"Normal", direction_at(50.0)}}};
-    EXPECT_EQ(bent("Normal", hit, point), direction_at(50.0));
-}
-
 }  // namespace
 }  // namespace eye_render

@@ -30,9 +30,9 @@ TEST(NodeGraph, refuses_what_does_not_exist_and_says_what_does)
 {
     EXPECT_EQ(refusal([](NodeGraph& g) { g.add("WOOL"); }), "node kind 'WOOL' is not supported");
     EXPECT_EQ(refusal([](NodeGraph& g) {
-                  g.add("BEVEL", test::options_of({{"samples", 4.0}}));
+                  g.add("FRESNEL", test::options_of({{"samples", 4.0}}));
               }),
-              "option 'samples' of BEVEL does not exist; expected none");
+              "option 'samples' of FRESNEL does not exist; expected none");
     EXPECT_EQ(refusal([](NodeGraph& g) {
                   g.add("UVMAP", test::options_of({{"layer", "a"}}));
               }),
@@ -47,6 +47,23 @@ TEST(NodeGraph, refuses_what_does_not_exist_and_says_what_does)
               "node 2 does not exist; the graph has 2");
     EXPECT_EQ(refusal([](NodeGraph& g) { g.link(0, "Color", {.node = 7}); }),
               "node 7 does not exist; the graph has 2");
+}
+
+TEST(NodeGraph, refuses_values_that_an_option_cannot_have_where_they_are_said)
+{
+    EXPECT_EQ(refusal([](NodeGraph& g) {
+                  g.add("TEX_VORONOI", test::options_of({{"feature", "F3"}}));
+              }).substr(0, 18),
+              "feature is F3; exp");
+    EXPECT_EQ(refusal([](NodeGraph& g) {
+                  g.add("BSDF_TOON", test::options_of({{"component", "MATTE"}}));
+              }),
+              "component is MATTE; expected one of DIFFUSE, GLOSSY");
+    // Which textures there are is the scene's to know.
+    EXPECT_EQ(refusal([](NodeGraph& g) {
+                  g.add("TEX_IMAGE", test::options_of({{"texture", 7.0}}));
+              }),
+              "");
 }
 
 TEST(NodeGraph, refuses_numbers_that_are_not_finite)

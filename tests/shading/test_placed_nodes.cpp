@@ -34,7 +34,7 @@ constexpr float rounding = 4e-5f;
 void expect_rows(const Json& reference, const PathState& path)
 {
     const MadeUpHit hit = placed_hit();
-    NodeTrial trial(*converter_named(reference["node"]), options_of(reference["options"]));
+    NodeTrial trial(*node_type_named(reference["node"].get<std::string>()), options_of(reference["options"]));
     for (const auto& [output, rows] : reference["outputs"].items()) {
         for (std::size_t row = 0; row < rows.size(); ++row) {
             for (const auto& [input, channel] : reference["inputs"].items()) {
@@ -77,7 +77,7 @@ TEST(PlacedNodes, light_falls_off_with_the_length_of_the_ray_as_in_cycles)
 
 TEST(PlacedNodes, light_from_infinity_is_not_smoothed)
 {
-    NodeTrial trial(*converter_named("LIGHT_FALLOFF"));
+    NodeTrial trial(*node_type_named("LIGHT_FALLOFF"));
     trial.set("Strength", 3.0f).set("Smooth", 2.0f);
     const PathState from_far{.length = std::numeric_limits<float>::max()};
     EXPECT_EQ(trial("Quadratic", MadeUpHit(), from_far).x, 3.0f);

@@ -43,6 +43,14 @@ SKIES = [
     },
     {"sky_type": "PREETHAM", "sun_direction": [0.0, 0.6, 0.8], "turbidity": 2.2},
     {"sky_type": "PREETHAM", "sun_direction": [0.6, -0.7, 0.1], "turbidity": 6.0},
+    {"sky_type": "HOSEK_WILKIE", "sun_direction": [0.0, 0.6, 0.8], "turbidity": 2.2},
+    {
+        "sky_type": "HOSEK_WILKIE",
+        "sun_direction": [0.6, -0.7, 0.1],
+        "turbidity": 6.7,
+        "ground_albedo": 0.8,
+    },
+    {"sky_type": "HOSEK_WILKIE", "sun_direction": [-0.6, 0.8, 0.0], "turbidity": 10.0},
 ]
 
 
@@ -102,7 +110,7 @@ def render_all(folder: Path) -> None:
         name: getattr(sky, name)
         for name in (
             "sun_disc sun_size sun_intensity sun_elevation sun_rotation altitude air_density "
-            "dust_density ozone_density turbidity"
+            "dust_density ozone_density turbidity ground_albedo"
         ).split()
     }
     place = tree.nodes.new("ShaderNodeTexCoord").outputs["Generated"]

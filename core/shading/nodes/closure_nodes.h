@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "shading/node.h"
+#include "shading/nodes/sockets.h"
 
 #include <algorithm>
 #include <array>
@@ -13,26 +13,8 @@ namespace eye_render {
 // The one output of every surface closure.
 inline constexpr auto bsdf_output = std::to_array<OutputSocket>({{"BSDF", SocketType::Shader}});
 
-[[nodiscard]] constexpr InputSocket number_input(std::string_view identifier, float value)
-{
-    return {identifier, SocketType::Number, NodeValue(value)};
-}
-
-[[nodiscard]] constexpr InputSocket color_input(std::string_view identifier, float value)
-{
-    return {identifier, SocketType::Color, NodeValue(value)};
-}
-
-[[nodiscard]] constexpr InputSocket normal_input(std::string_view identifier)
-{
-    return {identifier, SocketType::Vector, NodeValue(0.0f), ImplicitInput::Normal};
-}
-
 // Zero where nothing is linked.
-[[nodiscard]] constexpr InputSocket tangent_input()
-{
-    return {"Tangent", SocketType::Vector, NodeValue(0.0f)};
-}
+[[nodiscard]] constexpr InputSocket tangent_input() { return vector_input("Tangent"); }
 
 // The tangent that is linked or, where none is, that of circles around the object's own z, as
 // Blender's Tangent node gives it.

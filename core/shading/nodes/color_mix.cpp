@@ -126,32 +126,36 @@ private:
                   .clamps_result = options.is_set("use_clamp", false)});
 }
 
-constexpr std::array mix_in{number_socket("Factor_Float", 0.5f),
-                            vector_socket("Factor_Vector", NodeValue(0.5f)),
-                            number_socket("A_Float"),
-                            number_socket("B_Float"),
-                            vector_socket("A_Vector"),
-                            vector_socket("B_Vector"),
-                            color_socket("A_Color", 0.5f),
-                            color_socket("B_Color", 0.5f)};
+constexpr std::array mix_in{number_input("Factor_Float", 0.5f),
+                            vector_input("Factor_Vector", NodeValue(0.5f)),
+                            number_input("A_Float"),
+                            number_input("B_Float"),
+                            vector_input("A_Vector"),
+                            vector_input("B_Vector"),
+                            color_input("A_Color", 0.5f),
+                            color_input("B_Color", 0.5f)};
 constexpr std::array mix_out{OutputSocket{"Result_Float", Number},
                              OutputSocket{"Result_Vector", Vector},
                              OutputSocket{"Result_Color", Color}};
 constexpr std::array<std::string_view, 5> mix_options{"data_type", "factor_mode", "blend_type",
                                                       "clamp_factor", "clamp_result"};
 
-constexpr std::array mix_rgb_in{number_socket("Fac", 0.5f), color_socket("Color1", 0.5f),
-                                color_socket("Color2", 0.5f)};
+constexpr std::array mix_rgb_in{number_input("Fac", 0.5f), color_input("Color1", 0.5f),
+                                color_input("Color2", 0.5f)};
 constexpr std::array color_out{OutputSocket{"Color", Color}};
 constexpr std::array<std::string_view, 2> mix_rgb_options{"blend_type", "use_clamp"};
 
 }  // namespace
 
-NodeType mix_node() { return converter("MIX", mix_in, mix_out, make_mix, mix_options); }
+NodeType mix_node()
+{
+    return value_node("MIX", Reads::InputsAlone, mix_in, mix_out, make_mix, mix_options);
+}
 
 NodeType mix_rgb_node()
 {
-    return converter("MIX_RGB", mix_rgb_in, color_out, make_mix_rgb, mix_rgb_options);
+    return value_node("MIX_RGB", Reads::InputsAlone, mix_rgb_in, color_out, make_mix_rgb,
+                      mix_rgb_options);
 }
 
 }  // namespace eye_render

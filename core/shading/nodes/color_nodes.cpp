@@ -12,7 +12,7 @@ std::span<const NodeType> color_nodes()
     static const std::array nodes{
         mix_node(),        mix_rgb_node(),        rgb_curve_node(),
         color_ramp_node(), hue_saturation_node(), bright_contrast_node(),
-        gamma_node(),      invert_node(),         light_falloff_node(),
+        gamma_node(),      invert_node(),
     };
     return nodes;
 }

@@ -1,50 +1,11 @@
-// The rows of math_nodes.cpp and color_nodes.cpp, by family, and what their nodes share.
+// The rows of math_nodes.cpp and color_nodes.cpp, by family.
 
 #pragma once
 
-#include "shading/node.h"
-
-#include <memory>
+#include "shading/nodes/make_node.h"
+#include "shading/nodes/sockets.h"
 
 namespace eye_render {
-
-[[nodiscard]] constexpr InputSocket number_socket(std::string_view identifier, float value = 0.0f)
-{
-    return {identifier, SocketType::Number, NodeValue(value)};
-}
-
-[[nodiscard]] constexpr InputSocket vector_socket(std::string_view identifier,
-                                                  const NodeValue& value = NodeValue(0.0f))
-{
-    return {identifier, SocketType::Vector, value};
-}
-
-[[nodiscard]] constexpr InputSocket color_socket(std::string_view identifier, float value)
-{
-    return {identifier, SocketType::Color, NodeValue(value)};
-}
-
-// For NodeType::make_value: the node is made from its options.
-template <typename Node>
-[[nodiscard]] std::unique_ptr<const ValueNode> make_from_options(const NodeOptions& options,
-                                                                 NodeResources& /*resources*/)
-{
-    return std::make_unique<Node>(options);
-}
-
-// A node that is a function of its inputs alone.
-[[nodiscard]] inline NodeType converter(std::string_view name,
-                                        std::span<const InputSocket> inputs,
-                                        std::span<const OutputSocket> outputs,
-                                        decltype(NodeType::make_value) make,
-                                        std::span<const std::string_view> options = {})
-{
-    return {.name = name,
-            .inputs = inputs,
-            .outputs = outputs,
-            .options = options,
-            .make_value = make};
-}
 
 // Numbers.
 [[nodiscard]] NodeType math_node();
@@ -88,6 +49,5 @@ template <typename Node>
 [[nodiscard]] NodeType bright_contrast_node();
 [[nodiscard]] NodeType gamma_node();
 [[nodiscard]] NodeType invert_node();
-[[nodiscard]] NodeType light_falloff_node();
 
 }  // namespace eye_render

@@ -1,7 +1,8 @@
-// Places of the hit in the coordinates that textures are laid out in, and layers of the mesh.
+// Places and directions of the hit, in the coordinates that textures are laid out in.
 
 #include "shading/nodes/make_node.h"
 #include "shading/nodes/node_tables.h"
+#include "shading/object_space.h"
 #include "shading/view_coordinates.h"
 
 #include <Imath/ImathMatrixAlgo.h>
@@ -14,21 +15,6 @@ namespace eye_render {
 namespace {
 
 using enum SocketType;
-
-// A normal from object space to the world and back: by the inverse transpose.
-[[nodiscard]] V3f normal_to_world(const ObjectFacts& object, const V3f& n)
-{
-    V3f result;
-    object.object_from_world.transposed().multDirMatrix(n, result);
-    return result;
-}
-
-[[nodiscard]] V3f normal_to_object(const ObjectFacts& object, const V3f& n)
-{
-    V3f result;
-    object.world_from_object.transposed().multDirMatrix(n, result);
-    return result;
-}
 
 // The direction across the normal that is nearest to `v`, unit.
 [[nodiscard]] V3f turned_into(const V3f& n, const V3f& v)
@@ -116,46 +102,6 @@ void geometry(const NodeInputs& in, std::span<NodeValue> out)
     out[6] = NodeValue(hit.point.backfacing ? 1.0f : 0.0f);
 }
 
-class UvMapNode final : public ValueNode {
-public:
-    explicit UvMapNode(int layer) : layer_(layer) {}
-
-    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
-    {
-        const V2f uv = in.hit().attributes.uv(layer_);
-        out[0] = {uv.x, uv.y, 0.0f};
-    }
-
-private:
-    int layer_;
-};
-
-// Color, Vector, Fac and Alpha of a named attribute; of VERTEX_COLOR, Color and Alpha.
-class AttributeNode final : public ValueNode {
-public:
-    AttributeNode(int attribute, bool is_color) : attribute_(attribute), is_color_(is_color) {}
-
-    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
-    {
-        const AttributeValue found = in.hit().attributes.attribute(attribute_);
-        const Color4f& c = found.value;
-        const V3f rgb(c.r, c.g, c.b);
-        out[0] = rgb;
-        if (is_color_) {
-            out[1] = NodeValue(c.a);
-            return;
-        }
-        out[1] = rgb;
-        out[2] = NodeValue((c.r + c.g + c.b) / 3.0f);
-        // What does not exist is opaque here, as in Cycles.
-        out[3] = NodeValue(found.exists ? c.a : 1.0f);
-    }
-
-private:
-    int attribute_;
-    bool is_color_;
-};
-
 class TangentNode final : public ValueNode {
 public:
     enum class Axis { X, Y, Z };
@@ -169,8 +115,7 @@ public:
         if (uv_layer_ != radial) {
             // As Cycles has it: brought to the world as a normal is, where an object is stretched.
             const ObjectFacts& object = hit.attributes.object();
-            V3f own;
-            object.object_from_world.multDirMatrix(hit.attributes.tangent(uv_layer_).tangent, own);
+            const V3f own = vector_to_object(object, hit.attributes.tangent(uv_layer_).tangent);
             out[0] = turned_into(hit.point.ns, normal_to_world(object, own));
             return;
         }
@@ -192,23 +137,6 @@ using Made = std::unique_ptr<const ValueNode>;
 Made make_texture_coordinate(const NodeOptions& options, NodeResources& /*resources*/)
 {
     return std::make_unique<TextureCoordinateNode>(options.numbers("object_from_world"));
-}
-
-Made make_uv_map(const NodeOptions& options, NodeResources& resources)
-{
-    return std::make_unique<UvMapNode>(resources.uv_layer(options.text("uv_map", "")));
-}
-
-Made make_attribute(const NodeOptions& options, NodeResources& resources)
-{
-    return std::make_unique<AttributeNode>(resources.attribute(options.text("attribute_name", "")),
-                                           false);
-}
-
-Made make_vertex_color(const NodeOptions& options, NodeResources& resources)
-{
-    return std::make_unique<AttributeNode>(resources.attribute(options.text("layer_name", "")),
-                                           true);
 }
 
 Made make_tangent(const NodeOptions& options, NodeResources& resources)
@@ -233,13 +161,6 @@ constexpr std::array geometry_out{
     OutputSocket{"Tangent", Vector},   OutputSocket{"True Normal", Vector},
     OutputSocket{"Incoming", Vector},  OutputSocket{"Parametric", Vector},
     OutputSocket{"Backfacing", Number}};
-constexpr std::array uv_map_out{OutputSocket{"UV", Vector}};
-constexpr std::array<std::string_view, 1> uv_map_options{"uv_map"};
-constexpr std::array attribute_out{OutputSocket{"Color", Color}, OutputSocket{"Vector", Vector},
-                                   OutputSocket{"Fac", Number}, OutputSocket{"Alpha", Number}};
-constexpr std::array<std::string_view, 1> attribute_options{"attribute_name"};
-constexpr std::array vertex_color_out{OutputSocket{"Color", Color}, OutputSocket{"Alpha", Number}};
-constexpr std::array<std::string_view, 1> vertex_color_options{"layer_name"};
 constexpr std::array tangent_out{OutputSocket{"Tangent", Vector}};
 constexpr std::array<std::string_view, 3> tangent_options{"direction_type", "axis", "uv_map"};
 
@@ -248,13 +169,10 @@ constexpr std::array<std::string_view, 3> tangent_options{"direction_type", "axi
 std::span<const NodeType> coordinate_nodes()
 {
     static const std::array nodes{
-        hit_reader("TEX_COORD", {}, texture_coordinate_out, make_texture_coordinate,
+        value_node("TEX_COORD", Reads::Hit, {}, texture_coordinate_out, make_texture_coordinate,
                    texture_coordinate_options),
-        hit_reader("NEW_GEOMETRY", {}, geometry_out, make_function_node<geometry>),
-        hit_reader("UVMAP", {}, uv_map_out, make_uv_map, uv_map_options),
-        hit_reader("ATTRIBUTE", {}, attribute_out, make_attribute, attribute_options),
-        hit_reader("VERTEX_COLOR", {}, vertex_color_out, make_vertex_color, vertex_color_options),
-        hit_reader("TANGENT", {}, tangent_out, make_tangent, tangent_options),
+        value_node("NEW_GEOMETRY", Reads::Hit, {}, geometry_out, make_function_node<geometry>),
+        value_node("TANGENT", Reads::Hit, {}, tangent_out, make_tangent, tangent_options),
     };
     return nodes;
 }

@@ -166,9 +166,10 @@ constexpr std::array<std::string_view, 2> environment_options{"texture", "projec
 std::span<const NodeType> image_texture_nodes()
 {
     static const std::array nodes{
-        hit_reader("TEX_IMAGE", image_in, image_out, make_image_texture, image_options),
-        hit_reader("TEX_ENVIRONMENT", environment_in, environment_out, make_environment_texture,
-                   environment_options),
+        value_node("TEX_IMAGE", Reads::Hit, image_in, image_out, make_image_texture,
+                   image_options),
+        value_node("TEX_ENVIRONMENT", Reads::Hit, environment_in, environment_out,
+                   make_environment_texture, environment_options),
     };
     return nodes;
 }

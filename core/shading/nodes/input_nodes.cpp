@@ -3,6 +3,7 @@
 #include "shading/fresnel.h"
 #include "shading/nodes/make_node.h"
 #include "shading/nodes/node_tables.h"
+#include "shading/nodes/sockets.h"
 #include "shading/view_coordinates.h"
 
 #include <array>
@@ -101,9 +102,6 @@ private:
     bool in_pixels_;
 };
 
-// The rounded edge is not modelled: the normal goes through.
-void bevel(const NodeInputs& in, std::span<NodeValue> out) { out[0] = in.vector(1); }
-
 constexpr std::array light_path_out{
     OutputSocket{"Is Camera Ray", Number},       OutputSocket{"Is Shadow Ray", Number},
     OutputSocket{"Is Diffuse Ray", Number},      OutputSocket{"Is Glossy Ray", Number},
@@ -119,41 +117,33 @@ constexpr std::array object_info_out{
 constexpr std::array camera_out{OutputSocket{"View Vector", Vector},
                                 OutputSocket{"View Z Depth", Number},
                                 OutputSocket{"View Distance", Number}};
-constexpr std::array fresnel_in{
-    InputSocket{"IOR", Number, NodeValue(1.5f)},
-    InputSocket{"Normal", Vector, NodeValue(0.0f), ImplicitInput::Normal}};
-constexpr std::array layer_weight_in{
-    InputSocket{"Blend", Number, NodeValue(0.5f)},
-    InputSocket{"Normal", Vector, NodeValue(0.0f), ImplicitInput::Normal}};
+constexpr std::array fresnel_in{number_input("IOR", 1.5f), normal_input()};
+constexpr std::array layer_weight_in{number_input("Blend", 0.5f), normal_input()};
 constexpr std::array layer_weight_out{OutputSocket{"Fresnel", Number},
                                       OutputSocket{"Facing", Number}};
 constexpr std::array fac_out{OutputSocket{"Fac", Number}};
-constexpr std::array wireframe_in{InputSocket{"Size", Number, NodeValue(0.01f)}};
+constexpr std::array wireframe_in{number_input("Size", 0.01f)};
 constexpr std::array wireframe_options{std::string_view("use_pixel_size")};
-constexpr std::array bevel_in{
-    InputSocket{"Radius", Number, NodeValue(0.05f)},
-    InputSocket{"Normal", Vector, NodeValue(0.0f), ImplicitInput::Normal}};
-constexpr std::array bevel_out{OutputSocket{"Normal", Vector}};
 
 }  // namespace
 
 std::span<const NodeType> input_nodes()
 {
     static const std::array nodes{
-        hit_reader("LIGHT_PATH", {}, light_path_out, make_function_node<light_path>),
-        hit_reader("OBJECT_INFO", {}, object_info_out, make_function_node<object_info>),
-        hit_reader("CAMERA", {}, camera_out, make_function_node<camera_data>),
-        hit_reader("FRESNEL", fresnel_in, fac_out, make_function_node<fresnel>),
-        hit_reader("LAYER_WEIGHT", layer_weight_in, layer_weight_out,
+        value_node("LIGHT_PATH", Reads::Hit, {}, light_path_out, make_function_node<light_path>),
+        value_node("OBJECT_INFO", Reads::Hit, {}, object_info_out,
+                   make_function_node<object_info>),
+        value_node("CAMERA", Reads::Hit, {}, camera_out, make_function_node<camera_data>),
+        value_node("FRESNEL", Reads::Hit, fresnel_in, fac_out, make_function_node<fresnel>),
+        value_node("LAYER_WEIGHT", Reads::Hit, layer_weight_in, layer_weight_out,
                    make_function_node<layer_weight>),
-        hit_reader(
-            "WIREFRAME", wireframe_in, fac_out,
+        value_node(
+            "WIREFRAME", Reads::Hit, wireframe_in, fac_out,
             [](const NodeOptions& options,
                NodeResources& /*resources*/) -> std::unique_ptr<const ValueNode> {
                 return std::make_unique<WireframeNode>(options.is_set("use_pixel_size", false));
             },
             wireframe_options),
-        hit_reader("BEVEL", bevel_in, bevel_out, make_function_node<bevel>),
     };
     return nodes;
 }

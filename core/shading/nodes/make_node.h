@@ -1,4 +1,4 @@
-// Nodes without options: a function of inputs and hit.
+// How value nodes are made, and the rows that say so.
 
 #pragma once
 
@@ -9,6 +9,7 @@
 
 namespace eye_render {
 
+// A node without options: a function of inputs and hit.
 template <void (*function)(const NodeInputs&, std::span<NodeValue>)>
 class FunctionNode final : public ValueNode {
 public:
@@ -26,8 +27,19 @@ template <void (*function)(const NodeInputs&, std::span<NodeValue>)>
     return std::make_unique<FunctionNode<function>>();
 }
 
-// A node that reads the hit.
-[[nodiscard]] inline NodeType hit_reader(std::string_view name,
+// For NodeType::make_value: the node is made from its options.
+template <typename Node>
+[[nodiscard]] std::unique_ptr<const ValueNode> make_from_options(const NodeOptions& options,
+                                                                 NodeResources& /*resources*/)
+{
+    return std::make_unique<Node>(options);
+}
+
+// What a node's outputs depend on besides its options.
+enum class Reads : std::uint8_t { InputsAlone, Hit };
+
+[[nodiscard]] inline NodeType value_node(std::string_view name,
+                                         Reads reads,
                                          std::span<const InputSocket> inputs,
                                          std::span<const OutputSocket> outputs,
                                          decltype(NodeType::make_value) make,
@@ -37,7 +49,7 @@ template <void (*function)(const NodeInputs&, std::span<NodeValue>)>
             .inputs = inputs,
             .outputs = outputs,
             .options = options,
-            .reads_hit = true,
+            .reads_hit = reads == Reads::Hit,
             .make_value = make};
 }
 

@@ -127,10 +127,10 @@ private:
     std::vector<SampledFunction> ramps_;
 };
 
-constexpr std::array float_curve_in{number_socket("Factor", 1.0f), number_socket("Value", 1.0f)};
-constexpr std::array vector_curve_in{number_socket("Fac", 1.0f), vector_socket("Vector")};
-constexpr std::array rgb_curve_in{number_socket("Fac", 1.0f), color_socket("Color", 1.0f)};
-constexpr std::array color_ramp_in{number_socket("Fac", 0.5f)};
+constexpr std::array float_curve_in{number_input("Factor", 1.0f), number_input("Value", 1.0f)};
+constexpr std::array vector_curve_in{number_input("Fac", 1.0f), vector_input("Vector")};
+constexpr std::array rgb_curve_in{number_input("Fac", 1.0f), color_input("Color", 1.0f)};
+constexpr std::array color_ramp_in{number_input("Fac", 0.5f)};
 constexpr std::array value_out{OutputSocket{"Value", Number}};
 constexpr std::array vector_out{OutputSocket{"Vector", Vector}};
 constexpr std::array color_out{OutputSocket{"Color", Color}};
@@ -143,26 +143,26 @@ constexpr std::array<std::string_view, 2> ramp_options{"ramp", "interpolate"};
 
 NodeType float_curve_node()
 {
-    return converter("CURVE_FLOAT", float_curve_in, value_out, make_from_options<FloatCurveNode>,
-                     curve_options);
+    return value_node("CURVE_FLOAT", Reads::InputsAlone, float_curve_in, value_out,
+                      make_from_options<FloatCurveNode>, curve_options);
 }
 
 NodeType vector_curve_node()
 {
-    return converter("CURVE_VEC", vector_curve_in, vector_out, make_from_options<CurvesNode>,
-                     curve_options);
+    return value_node("CURVE_VEC", Reads::InputsAlone, vector_curve_in, vector_out,
+                      make_from_options<CurvesNode>, curve_options);
 }
 
 NodeType rgb_curve_node()
 {
-    return converter("CURVE_RGB", rgb_curve_in, color_out, make_from_options<CurvesNode>,
-                     curve_options);
+    return value_node("CURVE_RGB", Reads::InputsAlone, rgb_curve_in, color_out,
+                      make_from_options<CurvesNode>, curve_options);
 }
 
 NodeType color_ramp_node()
 {
-    return converter("VALTORGB", color_ramp_in, ramp_out, make_from_options<ColorRampNode>,
-                     ramp_options);
+    return value_node("VALTORGB", Reads::InputsAlone, color_ramp_in, ramp_out,
+                      make_from_options<ColorRampNode>, ramp_options);
 }
 
 }  // namespace eye_render

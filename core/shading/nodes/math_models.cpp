@@ -125,14 +125,14 @@ void wavelength(const NodeInputs& in, std::span<NodeValue> out)
 
 constexpr float default_grey = 0.8f;
 
-constexpr std::array color_in{color_socket("Color", default_grey)};
-constexpr std::array grey_in{color_socket("Color", 0.5f)};
-constexpr std::array image_in{color_socket("Image", default_grey)};
-constexpr std::array parts_in{number_socket("Red"), number_socket("Green"), number_socket("Blue")};
-constexpr std::array rgb_in{number_socket("R"), number_socket("G"), number_socket("B")};
-constexpr std::array hsv_in{number_socket("H"), number_socket("S"), number_socket("V")};
-constexpr std::array kelvin_in{number_socket("Temperature", 1500.0f)};
-constexpr std::array wavelength_in{number_socket("Wavelength", 500.0f)};
+constexpr std::array color_in{color_input("Color", default_grey)};
+constexpr std::array grey_in{color_input("Color", 0.5f)};
+constexpr std::array image_in{color_input("Image", default_grey)};
+constexpr std::array parts_in{number_input("Red"), number_input("Green"), number_input("Blue")};
+constexpr std::array rgb_in{number_input("R"), number_input("G"), number_input("B")};
+constexpr std::array hsv_in{number_input("H"), number_input("S"), number_input("V")};
+constexpr std::array kelvin_in{number_input("Temperature", 1500.0f)};
+constexpr std::array wavelength_in{number_input("Wavelength", 500.0f)};
 
 constexpr std::array color_out{OutputSocket{"Color", Color}};
 constexpr std::array image_out{OutputSocket{"Image", Color}};
@@ -151,54 +151,62 @@ constexpr std::array<std::string_view, 1> value_options{"value"};
 
 NodeType rgb_node()
 {
-    return converter("RGB", {}, color_out, make_from_options<ConstantColorNode>, value_options);
+    return value_node("RGB", Reads::InputsAlone, {}, color_out,
+                      make_from_options<ConstantColorNode>, value_options);
 }
 
 NodeType combine_color_node()
 {
-    return converter("COMBINE_COLOR", parts_in, color_out, make_from_options<CombineColorNode>,
-                     mode_options);
+    return value_node("COMBINE_COLOR", Reads::InputsAlone, parts_in, color_out,
+                      make_from_options<CombineColorNode>, mode_options);
 }
 
 NodeType separate_color_node()
 {
-    return converter("SEPARATE_COLOR", color_in, parts_out, make_from_options<SeparateColorNode>,
-                     mode_options);
+    return value_node("SEPARATE_COLOR", Reads::InputsAlone, color_in, parts_out,
+                      make_from_options<SeparateColorNode>, mode_options);
 }
 
 NodeType combine_rgb_node()
 {
-    return converter("COMBRGB", rgb_in, image_out, make_function_node<combine<ColorModel::Rgb>>);
+    return value_node("COMBRGB", Reads::InputsAlone, rgb_in, image_out,
+                      make_function_node<combine<ColorModel::Rgb>>);
 }
 
 NodeType separate_rgb_node()
 {
-    return converter("SEPRGB", image_in, rgb_out, make_function_node<separate<ColorModel::Rgb>>);
+    return value_node("SEPRGB", Reads::InputsAlone, image_in, rgb_out,
+                      make_function_node<separate<ColorModel::Rgb>>);
 }
 
 NodeType combine_hsv_node()
 {
-    return converter("COMBHSV", hsv_in, color_out, make_function_node<combine<ColorModel::Hsv>>);
+    return value_node("COMBHSV", Reads::InputsAlone, hsv_in, color_out,
+                      make_function_node<combine<ColorModel::Hsv>>);
 }
 
 NodeType separate_hsv_node()
 {
-    return converter("SEPHSV", color_in, hsv_out, make_function_node<separate<ColorModel::Hsv>>);
+    return value_node("SEPHSV", Reads::InputsAlone, color_in, hsv_out,
+                      make_function_node<separate<ColorModel::Hsv>>);
 }
 
 NodeType rgb_to_bw_node()
 {
-    return converter("RGBTOBW", grey_in, value_out, make_function_node<rgb_to_bw>);
+    return value_node("RGBTOBW", Reads::InputsAlone, grey_in, value_out,
+                      make_function_node<rgb_to_bw>);
 }
 
 NodeType blackbody_node()
 {
-    return converter("BLACKBODY", kelvin_in, color_out, make_function_node<blackbody>);
+    return value_node("BLACKBODY", Reads::InputsAlone, kelvin_in, color_out,
+                      make_function_node<blackbody>);
 }
 
 NodeType wavelength_node()
 {
-    return converter("WAVELENGTH", wavelength_in, color_out, make_function_node<wavelength>);
+    return value_node("WAVELENGTH", Reads::InputsAlone, wavelength_in, color_out,
+                      make_function_node<wavelength>);
 }
 
 }  // namespace eye_render

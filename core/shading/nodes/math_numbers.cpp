@@ -136,29 +136,29 @@ private:
     float value_;
 };
 
-constexpr std::array math_in{number_socket("Value", 0.5f), number_socket("Value_001", 0.5f),
-                             number_socket("Value_002", 0.5f)};
+constexpr std::array math_in{number_input("Value", 0.5f), number_input("Value_001", 0.5f),
+                             number_input("Value_002", 0.5f)};
 constexpr std::array value_out{OutputSocket{"Value", Number}};
 constexpr std::array<std::string_view, 2> math_options{"operation", "use_clamp"};
 
-constexpr std::array map_range_in{number_socket("Value", 1.0f),
-                                  number_socket("From Min"),
-                                  number_socket("From Max", 1.0f),
-                                  number_socket("To Min"),
-                                  number_socket("To Max", 1.0f),
-                                  number_socket("Steps", 4.0f),
-                                  vector_socket("Vector"),
-                                  vector_socket("From_Min_FLOAT3"),
-                                  vector_socket("From_Max_FLOAT3", NodeValue(1.0f)),
-                                  vector_socket("To_Min_FLOAT3"),
-                                  vector_socket("To_Max_FLOAT3", NodeValue(1.0f)),
-                                  vector_socket("Steps_FLOAT3", NodeValue(4.0f))};
+constexpr std::array map_range_in{number_input("Value", 1.0f),
+                                  number_input("From Min"),
+                                  number_input("From Max", 1.0f),
+                                  number_input("To Min"),
+                                  number_input("To Max", 1.0f),
+                                  number_input("Steps", 4.0f),
+                                  vector_input("Vector"),
+                                  vector_input("From_Min_FLOAT3"),
+                                  vector_input("From_Max_FLOAT3", NodeValue(1.0f)),
+                                  vector_input("To_Min_FLOAT3"),
+                                  vector_input("To_Max_FLOAT3", NodeValue(1.0f)),
+                                  vector_input("Steps_FLOAT3", NodeValue(4.0f))};
 constexpr std::array map_range_out{OutputSocket{"Result", Number}, OutputSocket{"Vector", Vector}};
 constexpr std::array<std::string_view, 3> map_range_options{"data_type", "interpolation_type",
                                                             "clamp"};
 
-constexpr std::array clamp_in{number_socket("Value", 1.0f), number_socket("Min"),
-                              number_socket("Max", 1.0f)};
+constexpr std::array clamp_in{number_input("Value", 1.0f), number_input("Min"),
+                              number_input("Max", 1.0f)};
 constexpr std::array result_out{OutputSocket{"Result", Number}};
 constexpr std::array<std::string_view, 1> clamp_options{"clamp_type"};
 
@@ -168,24 +168,26 @@ constexpr std::array<std::string_view, 1> constant_options{"value"};
 
 NodeType math_node()
 {
-    return converter("MATH", math_in, value_out, make_from_options<MathNode>, math_options);
+    return value_node("MATH", Reads::InputsAlone, math_in, value_out, make_from_options<MathNode>,
+                      math_options);
 }
 
 NodeType map_range_node()
 {
-    return converter("MAP_RANGE", map_range_in, map_range_out, make_from_options<MapRangeNode>,
-                     map_range_options);
+    return value_node("MAP_RANGE", Reads::InputsAlone, map_range_in, map_range_out,
+                      make_from_options<MapRangeNode>, map_range_options);
 }
 
 NodeType clamp_node()
 {
-    return converter("CLAMP", clamp_in, result_out, make_from_options<ClampNode>, clamp_options);
+    return value_node("CLAMP", Reads::InputsAlone, clamp_in, result_out,
+                      make_from_options<ClampNode>, clamp_options);
 }
 
 NodeType value_node()
 {
-    return converter("VALUE", {}, value_out, make_from_options<ConstantNumberNode>,
-                     constant_options);
+    return value_node("VALUE", Reads::InputsAlone, {}, value_out,
+                      make_from_options<ConstantNumberNode>, constant_options);
 }
 
 }  // namespace eye_render

@@ -96,7 +96,7 @@ private:
     Space to_;
 };
 
-constexpr std::array transform_in{vector_socket("Vector", NodeValue(0.5f))};
+constexpr std::array transform_in{vector_input("Vector", NodeValue(0.5f))};
 constexpr std::array vector_out{OutputSocket{"Vector", Vector}};
 constexpr std::array<std::string_view, 3> transform_options{"vector_type", "convert_from",
                                                             "convert_to"};
@@ -105,7 +105,7 @@ constexpr std::array<std::string_view, 3> transform_options{"vector_type", "conv
 
 NodeType vector_transform_node()
 {
-    return hit_reader("VECT_TRANSFORM", transform_in, vector_out,
+    return value_node("VECT_TRANSFORM", Reads::Hit, transform_in, vector_out,
                       make_from_options<VectorTransformNode>, transform_options);
 }
 

@@ -136,29 +136,28 @@ void separate_xyz(const NodeInputs& in, std::span<NodeValue> out)
     }
 }
 
-constexpr std::array vector_math_in{vector_socket("Vector"), vector_socket("Vector_001"),
-                                    vector_socket("Vector_002"), number_socket("Scale", 1.0f)};
+constexpr std::array vector_math_in{vector_input("Vector"), vector_input("Vector_001"),
+                                    vector_input("Vector_002"), number_input("Scale", 1.0f)};
 constexpr std::array vector_math_out{OutputSocket{"Vector", Vector},
                                      OutputSocket{"Value", Number}};
 constexpr std::array<std::string_view, 1> vector_math_options{"operation"};
 
-constexpr std::array mapping_in{vector_socket("Vector"), vector_socket("Location"),
-                                vector_socket("Rotation"),
-                                vector_socket("Scale", NodeValue(1.0f))};
+constexpr std::array mapping_in{vector_input("Vector"), vector_input("Location"),
+                                vector_input("Rotation"), vector_input("Scale", NodeValue(1.0f))};
 constexpr std::array vector_out{OutputSocket{"Vector", Vector}};
 constexpr std::array<std::string_view, 1> mapping_options{"vector_type"};
 
-constexpr std::array rotate_in{vector_socket("Vector"), vector_socket("Center"),
-                               vector_socket("Axis", NodeValue(0.0f, 0.0f, 1.0f)),
-                               number_socket("Angle"), vector_socket("Rotation")};
+constexpr std::array rotate_in{vector_input("Vector"), vector_input("Center"),
+                               vector_input("Axis", NodeValue(0.0f, 0.0f, 1.0f)),
+                               number_input("Angle"), vector_input("Rotation")};
 constexpr std::array<std::string_view, 2> rotate_options{"rotation_type", "invert"};
 
-constexpr std::array normal_in{vector_socket("Normal", NodeValue(0.0f, 0.0f, 1.0f))};
+constexpr std::array normal_in{vector_input("Normal", NodeValue(0.0f, 0.0f, 1.0f))};
 constexpr std::array normal_out{OutputSocket{"Normal", Vector}, OutputSocket{"Dot", Number}};
 constexpr std::array<std::string_view, 1> normal_options{"value"};
 
-constexpr std::array xyz_in{number_socket("X"), number_socket("Y"), number_socket("Z")};
-constexpr std::array one_vector_in{vector_socket("Vector")};
+constexpr std::array xyz_in{number_input("X"), number_input("Y"), number_input("Z")};
+constexpr std::array one_vector_in{vector_input("Vector")};
 constexpr std::array xyz_out{OutputSocket{"X", Number}, OutputSocket{"Y", Number},
                              OutputSocket{"Z", Number}};
 
@@ -166,36 +165,38 @@ constexpr std::array xyz_out{OutputSocket{"X", Number}, OutputSocket{"Y", Number
 
 NodeType vector_math_node()
 {
-    return converter("VECT_MATH", vector_math_in, vector_math_out,
-                     make_from_options<VectorMathNode>, vector_math_options);
+    return value_node("VECT_MATH", Reads::InputsAlone, vector_math_in, vector_math_out,
+                      make_from_options<VectorMathNode>, vector_math_options);
 }
 
 NodeType mapping_node()
 {
-    return converter("MAPPING", mapping_in, vector_out, make_from_options<MappingNode>,
-                     mapping_options);
+    return value_node("MAPPING", Reads::InputsAlone, mapping_in, vector_out,
+                      make_from_options<MappingNode>, mapping_options);
 }
 
 NodeType vector_rotate_node()
 {
-    return converter("VECTOR_ROTATE", rotate_in, vector_out, make_from_options<VectorRotateNode>,
-                     rotate_options);
+    return value_node("VECTOR_ROTATE", Reads::InputsAlone, rotate_in, vector_out,
+                      make_from_options<VectorRotateNode>, rotate_options);
 }
 
 NodeType normal_node()
 {
-    return converter("NORMAL", normal_in, normal_out, make_from_options<NormalNode>,
-                     normal_options);
+    return value_node("NORMAL", Reads::InputsAlone, normal_in, normal_out,
+                      make_from_options<NormalNode>, normal_options);
 }
 
 NodeType combine_xyz_node()
 {
-    return converter("COMBXYZ", xyz_in, vector_out, make_function_node<combine_xyz>);
+    return value_node("COMBXYZ", Reads::InputsAlone, xyz_in, vector_out,
+                      make_function_node<combine_xyz>);
 }
 
 NodeType separate_xyz_node()
 {
-    return converter("SEPXYZ", one_vector_in, xyz_out, make_function_node<separate_xyz>);
+    return value_node("SEPXYZ", Reads::InputsAlone, one_vector_in, xyz_out,
+                      make_function_node<separate_xyz>);
 }
 
 }  // namespace eye_render

@@ -18,12 +18,20 @@ namespace eye_render {
 [[nodiscard]] std::span<const NodeType> math_nodes();
 // Mix, Curves, Colour Ramp, Hue/Saturation, …
 [[nodiscard]] std::span<const NodeType> color_nodes();
-// Texture Coordinate, UV Map, Geometry, Attribute, Tangent: places and layers of the hit.
+// Texture Coordinate, Geometry, Tangent: places and directions of the hit.
 [[nodiscard]] std::span<const NodeType> coordinate_nodes();
+// UV Map, Attribute, Colour Attribute: what the mesh and the object bring along.
+[[nodiscard]] std::span<const NodeType> layer_nodes();
 // Object Info, Light Path, Fresnel, …: what else is read from the hit.
 [[nodiscard]] std::span<const NodeType> input_nodes();
-// Normal Map, Bump, Displacement: what bends the normal.
+// Normal Map, Bump: what bends the normal.
 [[nodiscard]] std::span<const NodeType> normal_nodes();
+// Displacement, Vector Displacement.
+[[nodiscard]] std::span<const NodeType> displacement_nodes();
+// Ambient Occlusion, Bevel: what sends rays to look around.
+[[nodiscard]] std::span<const NodeType> probe_nodes();
+// IES Texture, Light Falloff: what lamps are dressed with.
+[[nodiscard]] std::span<const NodeType> lamp_nodes();
 // Sky Texture.
 [[nodiscard]] std::span<const NodeType> sky_nodes();
 

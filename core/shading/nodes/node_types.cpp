@@ -2,6 +2,7 @@
 // weights of what they mix.
 
 #include "shading/nodes/node_tables.h"
+#include "shading/nodes/sockets.h"
 
 #include <array>
 #include <vector>
@@ -12,8 +13,8 @@ namespace {
 
 using enum SocketType;
 
-constexpr std::array mix_in{InputSocket{"Fac", Number, NodeValue(0.5f)},
-                            InputSocket{"Shader", Shader}, InputSocket{"Shader_001", Shader}};
+constexpr std::array mix_in{number_input("Fac", 0.5f), InputSocket{"Shader", Shader},
+                            InputSocket{"Shader_001", Shader}};
 constexpr std::array add_in{InputSocket{"Shader", Shader}, InputSocket{"Shader_001", Shader}};
 constexpr std::array shader_out{OutputSocket{"Shader", Shader}};
 
@@ -33,7 +34,8 @@ constexpr NodeType add_shader{.name = "ADD_SHADER",
     std::vector<const NodeType*> all{&mix_shader, &add_shader};
     for (const auto& family :
          {closure_nodes(), procedural_texture_nodes(), image_texture_nodes(), math_nodes(),
-          color_nodes(), sky_nodes(), coordinate_nodes(), input_nodes(), normal_nodes()}) {
+          color_nodes(), sky_nodes(), coordinate_nodes(), layer_nodes(), input_nodes(),
+          normal_nodes(), displacement_nodes(), probe_nodes(), lamp_nodes()}) {
         for (const NodeType& type : family) {
             all.push_back(&type);
         }

@@ -92,38 +92,31 @@ private:
 
 NodeType noise_texture_node()
 {
-    static constexpr std::array inputs{
-        texture_vector,
-        InputSocket{"W"},
-        InputSocket{"Scale", SocketType::Number, NodeValue(5.0f)},
-        InputSocket{"Detail", SocketType::Number, NodeValue(2.0f)},
-        InputSocket{"Roughness", SocketType::Number, NodeValue(0.5f)},
-        InputSocket{"Lacunarity", SocketType::Number, NodeValue(2.0f)},
-        InputSocket{"Offset"},
-        InputSocket{"Gain", SocketType::Number, NodeValue(1.0f)},
-        InputSocket{"Distortion"}};
+    static constexpr std::array inputs{texture_vector,
+                                       number_input("W"),
+                                       number_input("Scale", 5.0f),
+                                       number_input("Detail", 2.0f),
+                                       number_input("Roughness", 0.5f),
+                                       number_input("Lacunarity", 2.0f),
+                                       number_input("Offset"),
+                                       number_input("Gain", 1.0f),
+                                       number_input("Distortion")};
     static constexpr std::array outputs{OutputSocket{"Fac"},
                                         OutputSocket{"Color", SocketType::Color}};
     static constexpr std::array<std::string_view, 3> options{"noise_dimensions", "noise_type",
                                                              "normalize"};
-    return {.name = "TEX_NOISE",
-            .inputs = inputs,
-            .outputs = outputs,
-            .options = options,
-            .make_value = make_texture<NoiseNode>};
+    return value_node("TEX_NOISE", Reads::InputsAlone, inputs, outputs,
+                      make_from_options<NoiseNode>, options);
 }
 
 NodeType white_noise_node()
 {
-    static constexpr std::array inputs{texture_vector, InputSocket{"W"}};
+    static constexpr std::array inputs{texture_vector, number_input("W")};
     static constexpr std::array outputs{OutputSocket{"Value"},
                                         OutputSocket{"Color", SocketType::Color}};
     static constexpr std::array<std::string_view, 1> options{"noise_dimensions"};
-    return {.name = "TEX_WHITE_NOISE",
-            .inputs = inputs,
-            .outputs = outputs,
-            .options = options,
-            .make_value = make_texture<WhiteNoiseNode>};
+    return value_node("TEX_WHITE_NOISE", Reads::InputsAlone, inputs, outputs,
+                      make_from_options<WhiteNoiseNode>, options);
 }
 
 }  // namespace eye_render

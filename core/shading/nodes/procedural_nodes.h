@@ -3,11 +3,11 @@
 #pragma once
 
 #include "base/error.h"
-#include "shading/node.h"
+#include "shading/nodes/make_node.h"
+#include "shading/nodes/sockets.h"
 #include "shading/procedural/point.h"
 
 #include <array>
-#include <memory>
 
 namespace eye_render {
 
@@ -15,18 +15,10 @@ namespace eye_render {
 inline constexpr InputSocket texture_vector{"Vector", SocketType::Vector, NodeValue(0.0f),
                                             ImplicitInput::Generated};
 
-inline constexpr InputSocket texture_scale{"Scale", SocketType::Number, NodeValue(5.0f)};
+inline constexpr InputSocket texture_scale = number_input("Scale", 5.0f);
 
 inline constexpr std::array color_and_fac{OutputSocket{"Color", SocketType::Color},
                                           OutputSocket{"Fac"}};
-
-// For NodeType::make_value: the node is made from its options.
-template <typename Node>
-[[nodiscard]] std::unique_ptr<const ValueNode> make_texture(const NodeOptions& options,
-                                                            NodeResources& /*resources*/)
-{
-    return std::make_unique<Node>(options);
-}
 
 [[nodiscard]] inline int dimensions_of(const NodeOptions& options, const std::string& name)
 {

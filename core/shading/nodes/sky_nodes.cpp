@@ -3,6 +3,7 @@
 #include "shading/nodes/converter_nodes.h"
 #include "shading/nodes/node_tables.h"
 #include "shading/nodes/vector_option.h"
+#include "shading/sky/hosek_wilkie_sky.h"
 #include "shading/sky/nishita_sky.h"
 #include "shading/sky/preetham_sky.h"
 
@@ -14,15 +15,15 @@ namespace {
 
 using enum SocketType;
 
-enum class SkyKind { Nishita, Preetham };
+enum class SkyKind { Nishita, Preetham, HosekWilkie };
 
-// Blender 5 calls Nishita's by another name. The other two are not modelled: Hosek & Wilkie's
-// needs their fitted data.
+// Blender 5 calls Nishita's by another name.
 [[nodiscard]] SkyKind sky_kind(const NodeOptions& options)
 {
     return options.choice<SkyKind>("sky_type", {{"NISHITA", SkyKind::Nishita},
                                                 {"SINGLE_SCATTERING", SkyKind::Nishita},
-                                                {"PREETHAM", SkyKind::Preetham}});
+                                                {"PREETHAM", SkyKind::Preetham},
+                                                {"HOSEK_WILKIE", SkyKind::HosekWilkie}});
 }
 
 [[nodiscard]] double ranged(const NodeOptions& options,
@@ -70,11 +71,20 @@ private:
     NishitaSky sky_;
 };
 
+[[nodiscard]] V3f sun_direction(const NodeOptions& options)
+{
+    return vector_option(options, "sun_direction", V3f(0.0f, 0.0f, 1.0f));
+}
+
+[[nodiscard]] float turbidity(const NodeOptions& options)
+{
+    return static_cast<float>(ranged(options, "turbidity", 2.2, 1.0, 10.0, ""));
+}
+
 class PreethamNode final : public ValueNode {
 public:
     explicit PreethamNode(const NodeOptions& options)
-        : sky_(vector_option(options, "sun_direction", V3f(0.0f, 0.0f, 1.0f)),
-               static_cast<float>(ranged(options, "turbidity", 2.2, 1.0, 10.0, "")))
+        : sky_(sun_direction(options), turbidity(options))
     {
     }
 
@@ -87,12 +97,33 @@ private:
     PreethamSky sky_;
 };
 
+class HosekWilkieNode final : public ValueNode {
+public:
+    explicit HosekWilkieNode(const NodeOptions& options)
+        : sky_(sun_direction(options),
+               turbidity(options),
+               static_cast<float>(ranged(options, "ground_albedo", 0.3, 0.0, 1.0, "")))
+    {
+    }
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        out[0] = sky_.radiance(in.vector(0));
+    }
+
+private:
+    HosekWilkieSky sky_;
+};
+
 [[nodiscard]] std::unique_ptr<const ValueNode> make_sky(const NodeOptions& options,
                                                         NodeResources& resources)
 {
-    return sky_kind(options) == SkyKind::Nishita
-               ? make_from_options<NishitaNode>(options, resources)
-               : make_from_options<PreethamNode>(options, resources);
+    switch (sky_kind(options)) {
+    case SkyKind::Nishita: return make_from_options<NishitaNode>(options, resources);
+    case SkyKind::HosekWilkie: return make_from_options<HosekWilkieNode>(options, resources);
+    case SkyKind::Preetham: break;
+    }
+    return make_from_options<PreethamNode>(options, resources);
 }
 
 constexpr std::array sky_in{
@@ -113,7 +144,8 @@ std::optional<SunDisc> sun_disc(const NodeOptions& options)
 
 std::span<const NodeType> sky_nodes()
 {
-    static const std::array nodes{converter("TEX_SKY", sky_in, color_out, make_sky, sky_options)};
+    static const std::array nodes{
+        value_node("TEX_SKY", Reads::InputsAlone, sky_in, color_out, make_sky, sky_options)};
     return nodes;
 }
 

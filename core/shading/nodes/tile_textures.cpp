@@ -80,34 +80,27 @@ public:
 
 NodeType brick_texture_node()
 {
-    static constexpr std::array inputs{
-        texture_vector,
-        color1,
-        color2,
-        InputSocket{"Mortar", SocketType::Color},
-        texture_scale,
-        InputSocket{"Mortar Size", SocketType::Number, NodeValue(0.02f)},
-        InputSocket{"Mortar Smooth", SocketType::Number, NodeValue(0.1f)},
-        InputSocket{"Bias"},
-        InputSocket{"Brick Width", SocketType::Number, NodeValue(0.5f)},
-        InputSocket{"Row Height", SocketType::Number, NodeValue(0.25f)}};
+    static constexpr std::array inputs{texture_vector,
+                                       color1,
+                                       color2,
+                                       color_input("Mortar", 0.0f),
+                                       texture_scale,
+                                       number_input("Mortar Size", 0.02f),
+                                       number_input("Mortar Smooth", 0.1f),
+                                       number_input("Bias"),
+                                       number_input("Brick Width", 0.5f),
+                                       number_input("Row Height", 0.25f)};
     static constexpr std::array<std::string_view, 4> options{"offset", "offset_frequency",
                                                              "squash", "squash_frequency"};
-    return {.name = "TEX_BRICK",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = options,
-            .make_value = make_texture<BrickNode>};
+    return value_node("TEX_BRICK", Reads::InputsAlone, inputs, color_and_fac,
+                      make_from_options<BrickNode>, options);
 }
 
 NodeType checker_texture_node()
 {
     static constexpr std::array inputs{texture_vector, color1, color2, texture_scale};
-    return {.name = "TEX_CHECKER",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = {},
-            .make_value = make_texture<CheckerNode>};
+    return value_node("TEX_CHECKER", Reads::InputsAlone, inputs, color_and_fac,
+                      make_from_options<CheckerNode>);
 }
 
 }  // namespace eye_render

@@ -75,26 +75,22 @@ private:
 
 NodeType voronoi_texture_node()
 {
-    static constexpr std::array inputs{
-        texture_vector,
-        InputSocket{"W"},
-        InputSocket{"Scale", SocketType::Number, NodeValue(5.0f)},
-        InputSocket{"Detail"},
-        InputSocket{"Roughness", SocketType::Number, NodeValue(0.5f)},
-        InputSocket{"Lacunarity", SocketType::Number, NodeValue(2.0f)},
-        InputSocket{"Smoothness", SocketType::Number, NodeValue(1.0f)},
-        InputSocket{"Exponent", SocketType::Number, NodeValue(0.5f)},
-        InputSocket{"Randomness", SocketType::Number, NodeValue(1.0f)}};
+    static constexpr std::array inputs{texture_vector,
+                                       number_input("W"),
+                                       number_input("Scale", 5.0f),
+                                       number_input("Detail"),
+                                       number_input("Roughness", 0.5f),
+                                       number_input("Lacunarity", 2.0f),
+                                       number_input("Smoothness", 1.0f),
+                                       number_input("Exponent", 0.5f),
+                                       number_input("Randomness", 1.0f)};
     static constexpr std::array outputs{
         OutputSocket{"Distance"}, OutputSocket{"Color", SocketType::Color},
         OutputSocket{"Position", SocketType::Vector}, OutputSocket{"W"}, OutputSocket{"Radius"}};
     static constexpr std::array<std::string_view, 4> options{"voronoi_dimensions", "feature",
                                                              "distance", "normalize"};
-    return {.name = "TEX_VORONOI",
-            .inputs = inputs,
-            .outputs = outputs,
-            .options = options,
-            .make_value = make_texture<VoronoiNode>};
+    return value_node("TEX_VORONOI", Reads::InputsAlone, inputs, outputs,
+                      make_from_options<VoronoiNode>, options);
 }
 
 }  // namespace eye_render

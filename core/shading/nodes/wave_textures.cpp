@@ -120,45 +120,34 @@ private:
 
 NodeType wave_texture_node()
 {
-    static constexpr std::array inputs{
-        texture_vector,
-        texture_scale,
-        InputSocket{"Distortion"},
-        InputSocket{"Detail", SocketType::Number, NodeValue(2.0f)},
-        InputSocket{"Detail Scale", SocketType::Number, NodeValue(1.0f)},
-        InputSocket{"Detail Roughness", SocketType::Number, NodeValue(0.5f)},
-        InputSocket{"Phase Offset"}};
+    static constexpr std::array inputs{texture_vector,
+                                       texture_scale,
+                                       number_input("Distortion"),
+                                       number_input("Detail", 2.0f),
+                                       number_input("Detail Scale", 1.0f),
+                                       number_input("Detail Roughness", 0.5f),
+                                       number_input("Phase Offset")};
     static constexpr std::array<std::string_view, 4> options{"wave_type", "bands_direction",
                                                              "rings_direction", "wave_profile"};
-    return {.name = "TEX_WAVE",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = options,
-            .make_value = make_texture<WaveNode>};
+    return value_node("TEX_WAVE", Reads::InputsAlone, inputs, color_and_fac,
+                      make_from_options<WaveNode>, options);
 }
 
 NodeType magic_texture_node()
 {
-    static constexpr std::array inputs{
-        texture_vector, texture_scale,
-        InputSocket{"Distortion", SocketType::Number, NodeValue(1.0f)}};
+    static constexpr std::array inputs{texture_vector, texture_scale,
+                                       number_input("Distortion", 1.0f)};
     static constexpr std::array<std::string_view, 1> options{"turbulence_depth"};
-    return {.name = "TEX_MAGIC",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = options,
-            .make_value = make_texture<MagicNode>};
+    return value_node("TEX_MAGIC", Reads::InputsAlone, inputs, color_and_fac,
+                      make_from_options<MagicNode>, options);
 }
 
 NodeType gradient_texture_node()
 {
     static constexpr std::array inputs{texture_vector};
     static constexpr std::array<std::string_view, 1> options{"gradient_type"};
-    return {.name = "TEX_GRADIENT",
-            .inputs = inputs,
-            .outputs = color_and_fac,
-            .options = options,
-            .make_value = make_texture<GradientNode>};
+    return value_node("TEX_GRADIENT", Reads::InputsAlone, inputs, color_and_fac,
+                      make_from_options<GradientNode>, options);
 }
 
 }  // namespace eye_render

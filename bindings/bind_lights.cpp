@@ -1,0 +1,86 @@
+// The part of eyecore.Scene that takes lamps.
+
+#include "bind_scene.h"
+
+#include <optional>
+#include <variant>
+
+namespace eye_render {
+
+namespace {
+
+// Keyword arguments go to the members of the same name.
+void set_lamp_member(LampSettings& settings, const std::string& name, const py::handle& value)
+{
+    using Member =
+        std::variant<float LampSettings::*, bool LampSettings::*, LampShape LampSettings::*>;
+    const auto member = named<Member>("setting of a light", name,
+                                      {{"radius", &LampSettings::radius},
+                                       {"soft_falloff", &LampSettings::soft_falloff},
+                                       {"angle_rad", &LampSettings::angle_rad},
+                                       {"spot_angle_rad", &LampSettings::spot_angle_rad},
+                                       {"spot_blend", &LampSettings::spot_blend},
+                                       {"spot_cosine_falloff", &LampSettings::spot_cosine_falloff},
+                                       {"shape", &LampSettings::shape},
+                                       {"size_x", &LampSettings::size_x},
+                                       {"size_y", &LampSettings::size_y},
+                                       {"spread_rad", &LampSettings::spread_rad},
+                                       {"casts_shadow", &LampSettings::casts_shadow}});
+    if (const auto* number = std::get_if<float LampSettings::*>(&member)) {
+        settings.** number = value.cast<float>();
+    } else if (const auto* flag = std::get_if<bool LampSettings::*>(&member)) {
+        settings.** flag = value.cast<bool>();
+    } else {
+        settings.shape =
+            named<LampShape>("shape", value.cast<std::string>(),
+                             {{"RECTANGLE", LampShape::Rectangle}, {"DISK", LampShape::Disk}});
+    }
+}
+
+void add_light(SceneBuilder& scene,
+               const std::string& name,
+               const std::string& kind,
+               const Array<double>& world_from_light,
+               const py::object& color,
+               const std::optional<NodeSocket>& surface,
+               const std::vector<std::string>& hidden_from,
+               const py::kwargs& settings)
+{
+    LampData lamp{.name = name,
+                  .settings = {},
+                  .world_from_light = matrix_from(world_from_light, "world_from_light")};
+    lamp.settings.kind = named<LampKind>("kind", kind,
+                                         {{"POINT", LampKind::Point},
+                                          {"SUN", LampKind::Sun},
+                                          {"SPOT", LampKind::Spot},
+                                          {"AREA", LampKind::Area}});
+    lamp.settings.color = color_from("color of light '" + name + "'", color);
+    for (const auto& [key, value] : settings) {
+        set_lamp_member(lamp.settings, key.cast<std::string>(), value);
+    }
+    lamp.settings.visibility = visibility_from(hidden_from);
+    if (surface) {
+        scene.add_lamp(std::move(lamp), *surface->graph, surface->output);
+    } else {
+        scene.add_lamp(std::move(lamp));
+    }
+}
+
+}  // namespace
+
+void bind_lights(SceneClass& scene)
+{
+    using namespace py::literals;
+
+    scene.def(
+        "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
+        py::kw_only(), "surface"_a = py::none(),
+        "hidden_from"_a = std::vector<std::string>{"CAMERA"},
+        "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
+        "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
+        "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"
+        "casts_shadow. surface: an output of an Emission node, which multiplies the colour;\n"
+        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION rays.");
+}
+
+}  // namespace eye_render

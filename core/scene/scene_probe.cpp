@@ -1,0 +1,76 @@
+#include "scene/scene_probe.h"
+
+#include "base/sobol.h"
+#include "scene/light_path.h"
+#include "scene/scene.h"
+
+#include <bit>
+
+namespace eye_render {
+
+bool Scene::is_blocked(const Ray& ray) const
+{
+    return has_hidden_ ? intersect(ray, shadow_path).has_value() : accelerator_.occluded(ray);
+}
+
+void Scene::visit_object(const Ray& ray,
+                         const Placement& placement,
+                         const std::function<bool(const SurfaceHit&)>& visit) const
+{
+    Ray rest = ray;
+    for (int passages = 0; passages <= max_straight_passages; ++passages) {
+        const auto found = accelerator_.intersect(rest);
+        if (!found) {
+            return;
+        }
+        const Placement& met = placements_[found->placement];
+        const SurfaceHit hit =
+            make_surface_hit(rest, *found, met, accelerator_.positions(found->placement));
+        if (&met == &placement && !visit(hit)) {
+            return;
+        }
+        rest = passed_through(rest, hit);
+    }
+}
+
+bool SceneProbe::is_blocked(const V3f& direction, float distance, bool local) const
+{
+    const Ray ray{
+        .origin = hit_.origin_towards(direction), .direction = direction, .t_max = distance};
+    if (!local) {
+        return scene_.is_blocked(ray);
+    }
+    bool is_met = false;
+    scene_.visit_object(ray, *hit_.placement, [&](const SurfaceHit& /*met*/) {
+        is_met = true;
+        return false;
+    });
+    return is_met;
+}
+
+void SceneProbe::cross_own_object(const V3f& start,
+                                  const V3f& direction,
+                                  float length,
+                                  const std::function<void(const Crossing&)>& visit) const
+{
+    const Ray ray{.origin = hit_.p_world + start, .direction = direction, .t_max = length};
+    scene_.visit_object(ray, *hit_.placement, [&](const SurfaceHit& met) {
+        visit({.from_hit = met.p_world - hit_.p_world,
+               .ng = met.point.ng,
+               .ns = met.point.backfacing ? -met.point.ns : met.point.ns});
+        return true;
+    });
+}
+
+std::uint64_t SceneProbe::seed() const
+{
+    std::uint64_t seed = 0;
+    for (const V3f* v : {&hit_.p_world, &hit_.point.wo}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            seed = sobol_key(seed, std::bit_cast<std::uint32_t>((*v)[axis]));
+        }
+    }
+    return seed;
+}
+
+}  // namespace eye_render
