@@ -3,6 +3,7 @@ import numpy as np
 import pytest
 from eye_render.export.image import ImageTable
 from eye_render.export.instances import export_instances
+from eye_render.export.light import LightTable
 from eye_render.export.material import MaterialTable
 from scenes import (
     RecordingScene,
@@ -24,8 +25,10 @@ def export(depsgraph_of):
         core_scene = RecordingScene()
         core_scene.warnings = []
         warn = core_scene.warnings.append
-        materials = MaterialTable(core_scene, ImageTable(core_scene, 1, warn), None, warn)
-        export_instances(core_scene, depsgraph_of(), materials, warn, lambda: None)
+        images = ImageTable(core_scene, 1, warn)
+        materials = MaterialTable(core_scene, images, None, warn)
+        lights = LightTable(core_scene, images, warn)
+        export_instances(core_scene, depsgraph_of(), materials, lights, warn, lambda: None)
         return core_scene
 
     return run
@@ -199,3 +202,70 @@ def test_a_shadow_catcher_is_named(scene, export):
     add_object(cube_mesh(), "Floor").is_shadow_catcher = True
     (warning,) = export().warnings
     assert "Floor" in warning
+
+
+@pytest.fixture
+def properties_of(depsgraph_of):
+    """What the attributes of those names are for each instance of the scene."""
+
+    def run(*names: str) -> list[dict[str, list[float]]]:
+        core_scene = RecordingScene(attributes=list(names))
+        images = ImageTable(core_scene, 1, print)
+        materials = MaterialTable(core_scene, images, None, print)
+        lights = LightTable(core_scene, images, print)
+        export_instances(core_scene, depsgraph_of(), materials, lights, print, lambda: None)
+        return [
+            {name: values[row].tolist() for name, values in item.attributes.items()}
+            for item in core_scene.instances
+            for row in range(len(item.world_from_object))
+        ]
+
+    return run
+
+
+def test_properties_of_objects_are_told_by_name(scene, properties_of):
+    shown = add_object(cube_mesh())
+    shown["tone"] = 0.5
+    shown["paint"] = (0.25, 0.5)
+    shown.color = (0.1, 0.2, 0.3, 0.4)
+    (found,) = properties_of(
+        ".eye_render.object.tone",
+        ".eye_render.object.paint",
+        ".eye_render.object.color",
+        ".eye_render.object.absent",
+    )
+    assert found[".eye_render.object.tone"] == [0.5, 0.5, 0.5, 1.0]
+    assert found[".eye_render.object.paint"] == [0.25, 0.5, 0.0, 1.0]
+    assert found[".eye_render.object.color"] == pytest.approx([0.1, 0.2, 0.3, 0.4])
+    assert found[".eye_render.object.absent"] == [0.0] * 4
+
+
+def test_properties_of_the_mesh_stand_in_for_those_of_the_object(scene, properties_of):
+    add_object(cube_mesh()).data["tone"] = 2
+    (found,) = properties_of(".eye_render.object.tone")
+    assert found[".eye_render.object.tone"] == [2.0, 2.0, 2.0, 1.0]
+
+
+def test_instancers_are_asked_before_what_they_instance(scene, properties_of):
+    inner = bpy.data.collections.new("Inner")
+    cube = bpy.data.objects.new("Cube", cube_mesh())
+    cube["tone"], cube["own"] = 0.25, 0.75
+    inner.objects.link(cube)
+    for tone in (0.5, 1.0):
+        empty = add_object(None)
+        empty.instance_type, empty.instance_collection = "COLLECTION", inner
+        empty["tone"] = tone
+    name = ".eye_render.instancer."
+    found = properties_of(name + "tone", name + "own", ".eye_render.object.tone")
+    assert sorted(item[name + "tone"][0] for item in found) == [0.5, 1.0]
+    assert {item[name + "own"][0] for item in found} == {0.75}
+    assert {item[".eye_render.object.tone"][0] for item in found} == {0.25}
+
+
+def test_the_view_layer_is_asked_before_the_scene(scene, properties_of):
+    add_object(cube_mesh())
+    scene["fog"], scene["tone"] = 0.25, 0.5
+    bpy.context.view_layer["tone"] = 0.75
+    name = ".eye_render.view_layer."
+    (found,) = properties_of(name + "fog", name + "tone")
+    assert (found[name + "fog"][0], found[name + "tone"][0]) == (0.25, 0.75)

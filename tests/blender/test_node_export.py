@@ -112,6 +112,9 @@ def test_an_option_that_is_not_supported_is_named_if_it_is_used(material, export
     assert left_out.startswith("invert of")
 
 
+NEEDS_FILE = ("ShaderNodeTexImage", "ShaderNodeTexEnvironment", "ShaderNodeTexIES")
+
+
 def test_a_fresh_node_of_each_kind_is_taken_over_without_a_word(scene, export):
     said = {}
     supported = core.module.NODE_TYPES
@@ -126,7 +129,7 @@ def test_a_fresh_node_of_each_kind_is_taken_over_without_a_word(scene, export):
         output = next(socket for socket in node.outputs if socket.enabled)
         link(material, output, material.node_tree.nodes[0].inputs["Surface"])
         left_out = export(material)[1]
-        if left_out and not name.startswith(("ShaderNodeTexImage", "ShaderNodeTexEnvironment")):
+        if left_out and not name.startswith(NEEDS_FILE):
             said[name] = left_out
     assert said == {}
 
@@ -217,3 +220,24 @@ def test_an_image_without_alpha_is_opaque(material, export):
     picture = add_node(material, "ShaderNodeTexImage", image=image)
     link(material, picture.outputs["Alpha"], diffuse.inputs["Roughness"])
     assert export(material)[0].inputs["Roughness"] == 1.0
+
+
+def test_a_node_whose_option_the_core_refuses_is_replaced_alone(material, export, monkeypatch):
+    class Strict(RecordingGraph):
+        def add(self, kind, inputs=None, **options):
+            if options.get("noise_dimensions") == "4D":
+                raise ValueError("noise_dimensions is 4D; expected one of 3D")
+            return super().add(kind, inputs, **options)
+
+    monkeypatch.setattr(core.module, "NodeGraph", Strict)
+    shader = surface(material, "ShaderNodeBsdfDiffuse")
+    noise = add_node(material, "ShaderNodeTexNoise", name="Grain", noise_dimensions="4D")
+    link(material, noise.outputs["Color"], shader.inputs["Color"])
+    shader.inputs["Color"].default_value = (0.25, 0.5, 0.75, 1.0)
+    checker = add_node(material, "ShaderNodeTexChecker")
+    link(material, checker.outputs["Fac"], shader.inputs["Roughness"])
+    node, (left_out,) = export(material)
+    assert node.inputs["Color"] == (0.25, 0.5, 0.75)
+    assert node.inputs["Roughness"].node.kind == "TEX_CHECKER"
+    assert "Grain" in left_out
+    assert "expected one of 3D" in left_out

@@ -262,12 +262,3 @@ def test_a_sky_of_blender_5_says_dust_and_names_what_it_loses():
     modernize(node)
     assert node.options == {"sky_type": "SINGLE_SCATTERING", "dust_density": 2.0}
     assert len(node.notes) == 1
-
-
-def test_a_sky_of_hosek_and_wilkie_is_that_of_preetham_dimmed():
-    node = Node("TEX_SKY", "Sky", {"sky_type": "HOSEK_WILKIE", "turbidity": 3.0})
-    modernize(node)
-    assert node.renamed_outputs == {"Color": "Result_Color"}
-    sky = node.inputs["A_Color"].source.node
-    assert sky.options == {"sky_type": "PREETHAM", "turbidity": 3.0}
-    assert len(node.notes) == 1

@@ -7,6 +7,7 @@ import bpy
 from .. import core
 from .image import ImageTable
 from .instances import export_instances
+from .light import LightTable
 from .material import MaterialTable
 from .world import export_world
 
@@ -25,6 +26,7 @@ def export_scene(
     materials = MaterialTable(
         core_scene, images, depsgraph.view_layer_eval.material_override, warn
     )
-    export_instances(core_scene, depsgraph, materials, warn, check_cancel)
+    lights = LightTable(core_scene, images, warn)
+    export_instances(core_scene, depsgraph, materials, lights, warn, check_cancel)
     export_world(core_scene, depsgraph, images, warn)
     return core_scene

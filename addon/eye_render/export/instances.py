@@ -7,9 +7,10 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from . import light
+from .light import LightTable
 from .material import MaterialTable
 from .mesh import add_mesh
+from .object_properties import PropertyReader
 from .object_random import random_of
 from .visibility import Visibility, visibility_of
 
@@ -29,8 +30,10 @@ class _Look(NamedTuple):
 class _Group:
     """The instances of one mesh with one look, and what tells them apart if anybody asks."""
 
-    def __init__(self, tells_apart: bool):
+    def __init__(self, tells_apart: bool, properties: list[str], reader: PropertyReader):
         self.tells_apart = tells_apart
+        self.properties: dict[str, list[tuple[float, ...]]] = {name: [] for name in properties}
+        self._reader = reader
         self.matrices: list[Matrix] = []
         self.colors: list[tuple[float, ...]] = []
         self.randoms: list[float] = []
@@ -40,6 +43,8 @@ class _Group:
         if self.tells_apart:
             self.colors.append(tuple(instance.object.color))
             self.randoms.append(random_of(instance))
+        for name, values in self.properties.items():
+            values.append(self._reader.value(instance, name))
 
 
 class _Geometry:
@@ -57,23 +62,26 @@ def export_instances(
     core_scene,
     depsgraph: bpy.types.Depsgraph,
     materials: MaterialTable,
+    lights: LightTable,
     warn: Callable[[str], None],
     check_cancel: Callable[[], None],
 ) -> None:
     """Add all visible meshes, their instances and the lamps to the core's scene."""
+    reader = PropertyReader(depsgraph)
     geometries: dict[int, _Geometry] = {}
     groups: dict[tuple[int, int, int], _Group] = {}
     for instance in depsgraph.object_instances:
         if not instance.show_self:
             continue
         shown = instance.object
+        placer = instance.parent if instance.is_instance else shown
         if shown.type == "LIGHT":
-            light.export_light(core_scene, shown, instance.matrix_world, warn)
+            seen = visibility_of(shown, placer, depsgraph.view_layer_eval)
+            lights.add(shown, instance.matrix_world, seen.hidden_from)
         elif shown.type == "MESH":
             # The evaluated mesh is shared by the objects that do not modify it, and by nobody
             # else, so its address tells which instances have the same geometry.
             address = shown.data.as_pointer()
-            placer = instance.parent if instance.is_instance else shown
             key = (shown.original.as_pointer(), address, placer.original.as_pointer())
             group = groups.get(key)
             if group is None:
@@ -85,7 +93,8 @@ def export_instances(
                 visibility = visibility_of(shown, placer, depsgraph.view_layer_eval)
                 look = _Look(worn, shown.pass_index, visibility)
                 group = groups[key] = geometries[address].groups.setdefault(
-                    look, _Group(materials.read_object(worn))
+                    look,
+                    _Group(materials.read_object(worn), materials.properties_read(worn), reader),
                 )
                 _warn_of_shadow_catcher(shown, warn)
             group.append(instance)
@@ -113,9 +122,14 @@ def _add_group(
             f"Mesh '{name}' is left out {count} times: "
             "the place or size of the object is not a finite number"
         )
-    told = {}
+    told = {
+        "attributes": {
+            attribute: np.array(values, np.float32)[is_finite]
+            for attribute, values in group.properties.items()
+        }
+    }
     if group.tells_apart:
-        told = {
+        told |= {
             "colors": np.array(group.colors, np.float32)[is_finite],
             "pass_index": look.pass_index,
             "randoms": np.array(group.randoms, np.float32)[is_finite],

@@ -1,4 +1,5 @@
-"""Lamps. Energies stay Blender's: watts, for a sun watts per square metre."""
+"""Lamps, each with the tree of its datablock. Energies stay Blender's: watts, for a sun watts per
+square metre."""
 
 import math
 from collections.abc import Callable
@@ -8,48 +9,78 @@ import numpy as np
 from mathutils import Matrix, Vector
 
 from .. import compat
-from .nodes import TreeReader, constant
+from .image import ImageTable
+from .nodes import EMISSION, export_sockets
 
 _KINDS = {"POINT", "SUN", "SPOT", "AREA"}
 
 
-def export_light(
-    core_scene, shown: bpy.types.Object, world_from_object: Matrix, warn: Callable[[str], None]
-) -> None:
-    light = shown.data
-    if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
-        warn(f"Light '{light.name}' is left out: its kind is not one that Blender knows")
-        return
-    if not np.isfinite(np.array(world_from_object)).all():
-        warn(f"Light '{light.name}' is left out: its place or size is not a finite number")
-        return
-    shape = _shape(light, world_from_object.to_scale())
-    # Unit axes: the sizes carry the scale, and a mirrored lamp keeps its direction.
-    world_from_light = world_from_object.to_3x3().normalized().to_4x4()
-    world_from_light.translation = world_from_object.translation
+class LightTable:
+    """The lamps of one core scene; the tree of each datablock is exported once."""
+
+    def __init__(self, core_scene, images: ImageTable, warn: Callable[[str], None]):
+        self._core_scene = core_scene
+        self._images = images
+        self._warn = warn
+        self._surfaces: dict[str, object | None] = {}
+
+    def add(
+        self, shown: bpy.types.Object, world_from_object: Matrix, hidden_from: tuple[str, ...]
+    ) -> None:
+        light = shown.data
+        if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
+            self._warn(f"Light '{light.name}' is left out: its kind is not one Blender knows")
+            return
+        if not np.isfinite(np.array(world_from_object)).all():
+            self._warn(f"Light '{light.name}' is left out: its place or size is not finite")
+            return
+        told = {}
+        if compat.uses_nodes(light):
+            told["surface"] = self._surface_of(light)
+            if told["surface"] is None:  # nothing that shines
+                return
+        self._core_scene.add_light(
+            shown.name,
+            light.type,
+            np.array(world_from_object),
+            tuple(_color_times_energy(light, world_from_object.to_scale())),
+            casts_shadow=light.use_shadow,
+            hidden_from=hidden_from,
+            **_shape(light),
+            **told,
+        )
+
+    def _surface_of(self, light: bpy.types.Light) -> object | None:
+        if light.name_full not in self._surfaces:
+            self._surfaces[light.name_full] = self._export_tree(light)
+        return self._surfaces[light.name_full]
+
+    def _export_tree(self, light: bpy.types.Light) -> object | None:
+        inlined = compat.inline_shader_nodes(light)
+        output = inlined.node_tree.get_output_node("CYCLES")
+        if output is None:
+            return None
+        tree = export_sockets([output.inputs["Surface"]], self._images, EMISSION)
+        if tree.left_out:
+            self._warn(f"Light '{light.name}': not supported: {', '.join(tree.left_out)}")
+        return tree.sockets[0]
+
+
+def _color_times_energy(light: bpy.types.Light, scale: Vector) -> np.ndarray:
     factor, is_normalized = compat.light_factor(light)
-    energy = light.energy if is_normalized else light.energy * _area(light, shape)
-    color = np.array(light.color) * factor * _emission_factor(light, warn) * energy
-    core_scene.add_light(
-        shown.name,
-        light.type,
-        np.array(world_from_light),
-        tuple(color),
-        casts_shadow=light.use_shadow,
-        **shape,
-    )
+    energy = light.energy if is_normalized else light.energy * _area(light, scale)
+    return np.array(light.color) * factor * energy
 
 
-def _shape(light: bpy.types.Light, scale: Vector) -> dict[str, object]:
+def _shape(light: bpy.types.Light) -> dict[str, object]:
     if light.type == "SUN":
         return {"angle_rad": light.angle}
     if light.type == "AREA":
         is_round = light.shape in {"DISK", "ELLIPSE"}
-        size_y = light.size_y if light.shape in {"RECTANGLE", "ELLIPSE"} else light.size
         return {
             "shape": "DISK" if is_round else "RECTANGLE",
-            "size_x": light.size * abs(scale.x),
-            "size_y": size_y * abs(scale.y),
+            "size_x": light.size,
+            "size_y": _size_y(light),
             "spread_rad": light.spread,
         }
     if light.type == "SPOT":
@@ -69,34 +100,14 @@ def _ball(light: bpy.types.Light) -> dict[str, object]:
     }
 
 
-def _area(light: bpy.types.Light, shape: dict[str, object]) -> float:
+def _size_y(light: bpy.types.AreaLight) -> float:
+    return light.size_y if light.shape in {"RECTANGLE", "ELLIPSE"} else light.size
+
+
+def _area(light: bpy.types.Light, scale: Vector) -> float:
     """What Blender's "Normalize" divides the energy by; 1 for a lamp without extent."""
     if light.type == "AREA":
-        return shape["size_x"] * shape["size_y"] * (math.pi / 4 if shape["shape"] == "DISK" else 1)
+        box = abs(light.size * scale.x * _size_y(light) * scale.y)
+        return box * (math.pi / 4 if light.shape in {"DISK", "ELLIPSE"} else 1.0)
     radius = math.tan(light.angle / 2) if light.type == "SUN" else light.shadow_soft_size
     return math.pi * radius**2 if radius > 0 else 1.0
-
-
-def _emission_factor(light: bpy.types.Light, warn: Callable[[str], None]) -> np.ndarray:
-    """What the light's own node tree multiplies its colour by."""
-    if not compat.uses_nodes(light):
-        return np.ones(3)
-    inlined = compat.inline_shader_nodes(light)
-    output = inlined.node_tree.get_output_node("CYCLES")
-    source = TreeReader().read(output.inputs["Surface"]).source if output else None
-    if source is None:
-        return np.zeros(3)
-    emission = source.node
-    factor = np.ones(3)
-    if emission.kind != "EMISSION":
-        warn(f"Light '{light.name}': {emission.label} is not supported and is left out")
-        return factor
-    for name in ("Color", "Strength"):
-        item = emission.inputs[name]
-        value = constant(item)
-        if value is None:
-            label = item.source.node.label
-            warn(f"Light '{light.name}': {label} ({name}) is not supported and is left out")
-            value = item.value
-        factor = factor * value
-    return factor

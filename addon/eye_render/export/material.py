@@ -8,6 +8,7 @@ import bpy
 from .. import compat, core
 from .image import ImageTable
 from .nodes import DIFFUSE, export_sockets, linked_label
+from .object_properties import is_of_owner
 
 # Nodes by which one object looks other than the next with the same material.
 _OBJECT_READERS = {"OBJECT_INFO"}
@@ -45,6 +46,10 @@ class MaterialTable:
     def read_object(self, worn: tuple[int, ...]) -> bool:
         """Whether one of the materials asks which object wears it."""
         return not self._object_readers.isdisjoint(worn)
+
+    def properties_read(self, worn: tuple[int, ...]) -> list[str]:
+        """The properties that one of the materials asks for by an attribute's name."""
+        return list(filter(is_of_owner, self._core_scene.attributes_read(worn)))
 
     def _id(self, material: bpy.types.Material | None) -> int:
         material = self._override or material

@@ -1,17 +1,16 @@
 """Shader trees of Blender to graphs of the core."""
 
-from .build import BACKGROUND, DIFFUSE
+from .build import BACKGROUND, DIFFUSE, EMISSION
 from .derived import ATTRIBUTES as DERIVED_ATTRIBUTES
-from .flat import constant
-from .flatten import TreeReader
+from .named import OWNER_PREFIXES
 from .tree import export_sockets, linked_label
 
 __all__ = [
     "BACKGROUND",
     "DERIVED_ATTRIBUTES",
     "DIFFUSE",
-    "TreeReader",
-    "constant",
+    "EMISSION",
+    "OWNER_PREFIXES",
     "export_sockets",
     "linked_label",
 ]

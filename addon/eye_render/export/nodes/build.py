@@ -13,6 +13,7 @@ from ... import core
 from ..image import ImageTable
 from .coordinates import map_texture, name_object
 from .flat import Input, Node, Output, Value, converted
+from .ies import read_profile
 from .pictures import number_texture
 from .tables import sample_curves, sample_ramp
 
@@ -25,6 +26,7 @@ class PlainShader(NamedTuple):
 
 
 DIFFUSE = PlainShader("BSDF_DIFFUSE", "BSDF")
+EMISSION = PlainShader("EMISSION", "Emission")
 BACKGROUND = PlainShader("BACKGROUND", "Background")
 
 
@@ -41,9 +43,10 @@ _LOWER: dict[str, Callable[[Node], None]] = {
     "color_ramp": sample_ramp,
     "object": name_object,
     "texture_mapping": map_texture,
+    "ies": read_profile,
 }
 # Options that do not change what a node shows.
-_WITHOUT_EFFECT = {"samples", "use_alpha"}
+_WITHOUT_EFFECT = {"use_alpha"}
 # Inputs that do nothing by themselves although they are not zero.
 _SUBORDINATE_INPUTS = {"Filter Width", "Thin Film IOR"}
 
@@ -109,8 +112,13 @@ class GraphBuilder:
         self.left_out += [f"{name} of {node.label}" for name in sorted(ignored)]
         self.left_out += [f"{note} {node.label}" for note in node.notes]
         options = {name: node.options[name] for name in known if name in node.options}
+        try:
+            added = self.graph.add(node.kind, **options)
+        except ValueError as error:  # a value of an option that the core refuses
+            self.left_out.append(f"{node.label} ({error})")
+            return None
         self.kinds.add(node.kind)
-        return self.graph.add(node.kind, **options)
+        return added
 
     def _lower(self, node: Node) -> None:
         for name in _LOWER.keys() & node.options.keys():

@@ -61,16 +61,6 @@ def converted(value: Value | None, socket_type: str) -> Value | None:
     return value if isinstance(value, tuple) else (value, value, value)
 
 
-def constant(item: Input) -> Value | None:
-    """The input's value where it is one everywhere; None if a texture or the like decides it."""
-    if item.source is None:
-        return item.value
-    if item.source.node.kind in {"VALUE", "RGB"}:
-        value = item.source.node.options["value"]
-        return converted(tuple(value) if isinstance(value, list) else value, item.type)
-    return None
-
-
 def _luminance(color: tuple[float, float, float]) -> float:
     red, green, blue = color
     return 0.2126 * red + 0.7152 * green + 0.0722 * blue

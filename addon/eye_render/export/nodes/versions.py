@@ -11,6 +11,7 @@ from typing import NamedTuple
 from .derived import read_derived_attributes
 from .flat import Input, Node
 from .musgrave import musgrave_to_noise
+from .named import OWNER_PREFIXES, name_owner
 from .normals import flip_green
 from .principled import (
     RENAMED_INPUTS,
@@ -19,7 +20,6 @@ from .principled import (
     weaken_sheen,
     widen_subsurface,
 )
-from .sky import hosek_as_preetham
 
 
 class Row(NamedTuple):
@@ -105,11 +105,9 @@ ROWS = (
     Row("BSDF_PRINCIPLED", with_input="Specular", inputs=RENAMED_INPUTS),
     # What the core has in another form, or something close to
     Row("NEW_GEOMETRY", convert=read_derived_attributes),
-    Row(
-        "TEX_SKY",
-        with_option=("sky_type", "HOSEK_WILKIE"),
-        convert=hosek_as_preetham,
-        note="Hosek and Wilkie's model (Preetham's stands in) of",
+    *(
+        Row("ATTRIBUTE", with_option=("attribute_type", owner), convert=name_owner)
+        for owner in OWNER_PREFIXES
     ),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),

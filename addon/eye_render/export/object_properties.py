@@ -1,0 +1,69 @@
+"""Properties that Attribute nodes read by name of an object, of what instances it or of the view
+layer: custom ones, else Blender's own."""
+
+from collections.abc import Iterable
+
+import bpy
+import numpy as np
+
+from .. import compat
+from .nodes import OWNER_PREFIXES
+
+
+def is_of_owner(attribute: str) -> bool:
+    return attribute.startswith(tuple(OWNER_PREFIXES.values()))
+
+
+class PropertyReader:
+    """Values, as four numbers, of the attributes that `is_of_owner`."""
+
+    def __init__(self, depsgraph: bpy.types.Depsgraph):
+        scene, layer = depsgraph.scene_eval, depsgraph.view_layer_eval
+        self._of_layer = [layer, scene, compat.world_of(scene, layer)]
+
+    def value(
+        self, instance: bpy.types.DepsgraphObjectInstance, attribute: str
+    ) -> tuple[float, ...]:
+        owner, prefix = next(
+            item for item in OWNER_PREFIXES.items() if attribute.startswith(item[1])
+        )
+        name = attribute.removeprefix(prefix)
+        if owner == "VIEW_LAYER":
+            return _find(self._of_layer, name)
+        owners = [instance.object, instance.object.data]
+        if owner == "INSTANCER" and instance.is_instance:
+            owners.insert(0, instance.parent)
+        return _find(owners, name)
+
+
+def _find(owners: Iterable[object], name: str) -> tuple[float, ...]:
+    """What the first owner that has the property says; zeros if none has."""
+    for owner in owners:
+        value = None if owner is None else _rgba(_look_up(owner, name))
+        if value is not None:
+            return value
+    return (0.0,) * 4
+
+
+def _look_up(owner: object, name: str) -> object | None:
+    value = owner.get(name)
+    if value is not None:
+        return value
+    try:
+        return owner.path_resolve(name)
+    except ValueError:
+        return None
+
+
+def _rgba(value: object) -> tuple[float, ...] | None:
+    """One number fills all colours, what is missing of a vector is 0 and of alpha 1; None for what
+    is not numbers."""
+    try:
+        numbers = np.array(value, np.float32).ravel()
+    except (TypeError, ValueError):
+        return None
+    if not 1 <= len(numbers) <= 4 or not np.isfinite(numbers).all():
+        return None
+    rgba = np.array((0.0, 0.0, 0.0, 1.0), np.float32)
+    rgba[: 3 if len(numbers) == 1 else len(numbers)] = numbers
+    return tuple(rgba.tolist())
