@@ -2,7 +2,6 @@
 builds a feature takes its scenes from here, and `run compare` says which can go."""
 
 NOT_YET: dict[str, tuple[float, str]] = {
-    "coordinates/attribute_of_object": (0.5, "attributes of objects are not read yet"),
     "geometry/hair_thick": (0.45, "hair is not traced yet"),
     "geometry/hair_ribbons": (0.45, "hair is not traced yet"),
     "geometry/hair_children": (0.65, "hair is not traced yet"),
@@ -12,16 +11,6 @@ NOT_YET: dict[str, tuple[float, str]] = {
     "images/interpolation": (0.17, "cubic interpolation is another kernel than Cycles'"),
     "images/extension": (0.04, "what is clipped ends harder than in Cycles"),
     "images/alpha": (0.27, "colour under alpha is read straight"),
-    "inputs/ambient_occlusion": (0.14, "the node is not evaluated yet"),
-    "inputs/light_falloff": (0.62, "nodes of lamps are not evaluated yet"),
-    "lights/spot_scaled": (
-        0.16,
-        "a spot's cone ignores the object's scale; and before Blender 4.0 a cosine dims it",
-    ),
-    "lights/ies": (0.56, "IES profiles are not there yet"),
-    "lights/nodes": (0.32, "nodes of lamps are not evaluated yet"),
-    "lights/nodes_textured": (0.43, "nodes of lamps are not evaluated yet"),
-    "lights/hidden_from_diffuse": (0.23, "lamps ignore their visibility to kinds of rays"),
     "motion/of_object": (0.14, "motion blur is not there yet"),
     "motion/of_turning": (0.07, "motion blur is not there yet"),
     "motion/of_camera": (0.12, "motion blur is not there yet"),
@@ -56,7 +45,6 @@ NOT_YET: dict[str, tuple[float, str]] = {
     "volumes/scatter": (0.16, "volumes are not traced yet"),
     "volumes/emission": (0.52, "volumes are not traced yet"),
     "volumes/absorbing_glass": (0.47, "volumes are not traced yet"),
-    "worlds/sky_hosek": (0.27, "the sky by Hosek and Wilkie falls back to Preetham's"),
     "worlds/fog": (0.77, "volumes of the world are not traced yet"),
     "worlds/absorbing_fog": (0.96, "volumes of the world are not traced yet"),
 }

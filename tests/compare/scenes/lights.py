@@ -85,7 +85,7 @@ def spot_hard():
     lit_by("SPOT", 300.0, spot_size=math.radians(30), spot_blend=0.0, shadow_soft_size=0.0)
 
 
-@feature(before_4=COSINE)
+@feature(before_4=("before Blender 4.0 a spot also ignores the object's scale", 0.16))
 def spot_scaled():
     """A spot that is twice as wide as high"""
     settings = {"spot_size": math.radians(40), "spot_blend": 0.2, "shadow_soft_size": 0.05}
@@ -157,7 +157,7 @@ def nodes():
                               "Strength": 2.0})  # fmt: skip
 
 
-@feature()
+@feature(before_4=COSINE)
 def nodes_textured():
     """A spot whose nodes throw a pattern"""
     settings = {"spot_size": math.radians(60), "spot_blend": 0.0, "shadow_soft_size": 0.0}
