@@ -3,6 +3,7 @@
 // surface's own functions.
 
 #include "estimate.h"
+#include "scene/light_path.h"
 #include "scenes.h"
 
 namespace eye_render {
@@ -55,7 +56,8 @@ struct LitSurface {
             const Ray ray{.origin = hit.origin_towards(sample->wi), .direction = sample->wi};
             const auto beyond = scene.intersect(ray);
             float radiance = 0.0f;
-            scene.visit_lamps(point, ray.direction, 0.0f, beyond ? beyond->t : ray.t_max,
+            scene.visit_lamps(point, light_path, ray.direction, 0.0f,
+                              beyond ? beyond->t : ray.t_max,
                               [&](const LampContribution& lamp) { radiance += lamp.radiance.x; });
             if (!beyond) {
                 radiance += scene.background(ray.direction, {}).x;
