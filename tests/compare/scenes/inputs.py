@@ -308,6 +308,21 @@ def ambient_occlusion():
 
 
 @feature()
+def ambient_occlusion_inside():
+    """Ambient Occlusion of the inside, of the object alone: a flattened ball"""
+
+    def paint(tree: Tree):
+        inputs = {"Distance": 0.8, "Color": (1.0, 0.7, 0.3)}
+        node = tree.node("AmbientOcclusion", inputs, samples=16, inside=True, only_local=True)
+        return out(node, "Color")
+
+    camera()
+    world(GREY)
+    shown = add(dressed(ball_mesh(), shows(paint)), BALL_CENTRE)
+    shown.scale = (1.0, 1.0, 0.4)
+
+
+@feature()
 def light_falloff():
     """Light Falloff: a point lamp that does not weaken"""
     camera()

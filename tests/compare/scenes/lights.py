@@ -171,6 +171,48 @@ def nodes_textured():
     tree.surface("Emission", {"Color": out(checker, "Color"), "Strength": 1.0})
 
 
+def painted_by_uv(shown: bpy.types.Object, strength: float = 1.0) -> None:
+    """Its UV as red and green, in squares."""
+    shown.data.use_nodes = True
+    tree = Tree(shown.data)
+    uv = out(tree.node("TexCoord"), "UV")
+    checker = tree.node("TexChecker", {"Vector": uv, "Color2": (0.1, 0.1, 1.0), "Scale": 6.0})
+    tree.set(checker, "Color1", uv)
+    tree.surface("Emission", {"Color": out(checker, "Color"), "Strength": strength})
+
+
+@feature(before_4=COSINE)
+def uv_of_spot():
+    """A turned spot, wider than high, that throws a pattern by its UV"""
+    settings = {"spot_size": math.radians(50), "spot_blend": 0.0, "shadow_soft_size": 0.0}
+    shown = lit_by("SPOT", 600.0, **settings)
+    shown.rotation_euler.rotate_axis("Z", 0.5)
+    painted_by_uv(shown)
+
+
+@feature()
+def uv_of_point():
+    """A turned point lamp that throws a pattern by its UV"""
+    shown = lit_by("POINT", 400.0, shadow_soft_size=0.0)
+    shown.rotation_euler = (0.4, 0.9, 0.3)
+    painted_by_uv(shown)
+
+
+@feature(bounces=1)
+def uv_of_area():
+    """What a mirror shows of an oblong area lamp with a pattern by its UV"""
+    camera()
+    floor()
+    world(DIM)
+    tree = new_tree()
+    tree.surface("BsdfAnisotropic", {"Color": (0.9, 0.9, 0.9), "Roughness": 0.0})
+    add(dressed(ball_mesh(), tree.datablock), BALL_CENTRE)
+    shown = lamp("AREA", 30.0, (-1.8, -2.0, 2.2), BALL_CENTRE, shape="RECTANGLE")
+    shown.data.size, shown.data.size_y = 3.0, 2.0
+    shown.rotation_euler.rotate_axis("Z", 0.4)
+    painted_by_uv(shown, 0.3)
+
+
 @feature(bounces=1)
 def mesh():
     """A shining rectangle"""
