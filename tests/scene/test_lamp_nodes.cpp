@@ -151,6 +151,34 @@ TEST(LampNodes, sampled_light_is_what_a_ray_meets_there)
     }
 }
 
+TEST(LampNodes, lamps_are_chosen_by_what_their_nodes_make_of_them)
+{
+    // Alike but for their nodes: one is a hundred times as bright.
+    SceneData data;
+    const auto glow = [](float strength) {
+        NodeGraph graph;
+        const std::size_t emission = graph.add("EMISSION");
+        const std::size_t falloff = graph.add("LIGHT_FALLOFF");
+        graph.set(falloff, "Strength", V3f(strength));
+        graph.link(emission, "Strength", graph.output(falloff, "Quadratic"));
+        AnyResources resources;
+        return make_material("glow", graph, graph.output(emission, "Emission"), std::nullopt,
+                             resources);
+    };
+    data.lamps.push_back(lamp_at({1, 0, 2}, {.color = Color3f(1.0f)}, glow(1.0f)));
+    data.lamps.push_back(lamp_at({-1, 0, 2}, {.color = Color3f(1.0f)}, glow(100.0f)));
+    const Scene scene(data, V3d(0.0));
+    LitPoint point;
+    scene.weigh_lights(V3f(0.0f), V3f(0.0f), point);
+    int bright = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const auto light = scene.sample_light(point, (i + 0.5) / 1000.0, V2f(0.5f));
+        bright += light && light->wi.x < 0.0f ? 1 : 0;
+    }
+    EXPECT_GT(bright, 950);
+    EXPECT_LT(bright, 1000) << "the faint one is chosen, too";
+}
+
 // UV of the lamp as it is seen along wi from the origin.
 V2f uv_seen(const LampSettings& settings, const M44d& world_from_light, const V3f& wi)
 {

@@ -3,11 +3,13 @@
 
 #include "shading/ies_profile.h"
 
+#include "asked_node.h"
 #include "base/units.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -184,6 +186,22 @@ TEST(IesProfile, what_is_no_profile_is_refused_with_the_reason)
               "100000");
     EXPECT_EQ(refusal("TILT=NONE\n1 -1 1 3 1 1 2 0 0 0 1 1 0  0 90 45  0  1 1 1"),
               "IES profile: the vertical angles do not ascend");
+}
+
+// A lamp that shines down measures from its nadir; turned over, from where it points then.
+TEST(IesNode, measures_from_the_lamps_own_axis)
+{
+    const test::AskedNode node{
+        .type = "TEX_IES", .options = {{"ies", downlight}}, .inputs = {{"Strength", V3f(2.0f)}}};
+    const ShadingPoint below{.wo = V3f(0.0f, std::sin(0.1f), -std::cos(0.1f)),
+                             .ng = V3f(0.0f, 0.0f, -1.0f),
+                             .ns = V3f(0.0f, 0.0f, -1.0f)};
+    test::MadeUpHit lamp;
+    const IesProfile profile = parse_ies(downlight);
+    EXPECT_NEAR(node("Fac", lamp, below).x, 2.0f * profile.at(float(pi), 0.1f), 1e-3f);
+    lamp.facts.world_from_object.setAxisAngle(V3f(1.0f, 0.0f, 0.0f), float(pi));
+    lamp.facts.object_from_world = lamp.facts.world_from_object.inverse();
+    EXPECT_EQ(node("Fac", lamp, below).x, 0.0f) << "nothing is measured behind it";
 }
 
 }  // namespace
