@@ -1,36 +1,18 @@
-// From a graph of nodes to a program: what the outputs depend on, in the order of need, with
-// everything that is the same at every hit computed now.
+// From a graph of nodes to a program: the closures that its output mixes, each with its weight.
 
-#include "shading/nowhere.h"
 #include "shading/program.h"
+#include "shading/value_compiler.h"
 
 #include <algorithm>
 #include <stdexcept>
 
 namespace eye_render {
 
-namespace {
-
-[[nodiscard]] Conversion conversion_between(SocketType from, SocketType to)
-{
-    if (from == to) {
-        return Conversion::None;
-    }
-    if (from == SocketType::Number) {
-        return Conversion::Splat;
-    }
-    if (to == SocketType::Number) {
-        return from == SocketType::Color ? Conversion::Luminance : Conversion::Mean;
-    }
-    return Conversion::None;
-}
-
-}  // namespace
-
 class ProgramCompiler {
 public:
     ProgramCompiler(const NodeGraph& graph, NodeResources& resources, ShaderProgram& program)
-        : graph_(graph), resources_(resources), program_(program), compiled_(graph.size()),
+        : graph_(graph), resources_(resources), program_(program),
+          values_(graph, resources, program.steps_, program.value_count_),
           is_on_the_way_(graph.size(), false)
     {
     }
@@ -52,7 +34,7 @@ public:
 
     void add_displacement(const NodeOutput& output)
     {
-        const ProgramInput input = linked(output, SocketType::Vector);
+        const ProgramInput input = values_.linked(output, SocketType::Vector);
         // A constant displacement lifts all of the surface alike and bends no normal.
         if (!input.is_constant()) {
             program_.displacement_ = input;
@@ -61,122 +43,13 @@ public:
     }
 
 private:
-    struct Compiled {
-        enum class State { New, Begun, Done } state = State::New;
-        int step = ProgramInput::none;
-        std::vector<NodeValue> constants;  // the outputs of a folded node
-    };
-
-    [[nodiscard]] static SocketType type_of(const NodeGraph::Node& node, std::size_t output)
-    {
-        return node.type->outputs[output].type;
-    }
-
-    // The input that reads another node's output as a socket of type `to`.
-    ProgramInput linked(const NodeOutput& from, SocketType to)
-    {
-        const NodeGraph::Node& node = graph_.node(from.node);
-        const SocketType type = type_of(node, from.output);
-        if (type == SocketType::Shader) {
-            throw std::invalid_argument(std::string(node.type->name) +
-                                        " is a shader; expected a value");
-        }
-        const Conversion conversion = conversion_between(type, to);
-        const Compiled& compiled = compile(from.node);
-        if (compiled.step == ProgramInput::none) {
-            return {.constant = converted(compiled.constants[from.output], conversion)};
-        }
-        ProgramStep& step = program_.steps_[static_cast<std::size_t>(compiled.step)];
-        step.wanted_outputs |= 1u << from.output;
-        if (node.type->outputs[from.output].reads_active_uv) {
-            static_cast<void>(resources_.uv_layer(""));
-        }
-        return {.step = compiled.step,
-                .value = step.first_value + static_cast<int>(from.output),
-                .conversion = conversion};
-    }
-
-    ProgramInput input_of(const NodeGraph::Node& node, std::size_t number)
-    {
-        const InputSocket& socket = node.type->inputs[number];
-        const NodeGraph::Source& source = node.inputs[number];
-        if (const auto* from = std::get_if<NodeOutput>(&source)) {
-            return linked(*from, socket.type);
-        }
-        if (const auto* value = std::get_if<NodeValue>(&source)) {
-            return {.constant = *value};
-        }
-        if (socket.implicit == ImplicitInput::Uv) {
-            static_cast<void>(resources_.uv_layer(""));
-        }
-        return {.constant = socket.value, .implicit = socket.implicit};
-    }
-
-    [[nodiscard]] std::vector<ProgramInput> inputs_of(const NodeGraph::Node& node)
-    {
-        std::vector<ProgramInput> inputs(node.type->inputs.size());
-        for (std::size_t i = 0; i < inputs.size(); ++i) {
-            if (node.type->inputs[i].type != SocketType::Shader) {
-                inputs[i] = input_of(node, i);
-            }
-        }
-        return inputs;
-    }
-
-    [[noreturn]] void refuse_circle(std::size_t number) const
-    {
-        throw std::invalid_argument("the links of node " + std::to_string(number) + " (" +
-                                    std::string(graph_.node(number).type->name) +
-                                    ") run in a circle");
-    }
-
-    const Compiled& compile(std::size_t number)
-    {
-        Compiled& compiled = compiled_[number];
-        const NodeGraph::Node& node = graph_.node(number);
-        if (compiled.state == Compiled::State::Done) {
-            return compiled;
-        }
-        if (compiled.state == Compiled::State::Begun) {
-            refuse_circle(number);
-        }
-        compiled.state = Compiled::State::Begun;
-        ProgramStep step{.inputs = inputs_of(node),
-                         .node = node.type->make_value(node.options, resources_),
-                         .first_value = program_.value_count_,
-                         .value_count = static_cast<int>(node.type->outputs.size())};
-        const bool is_constant =
-            !node.type->reads_hit && std::ranges::all_of(step.inputs, &ProgramInput::is_constant);
-        if (is_constant) {
-            compiled.constants = fold(step);
-        } else {
-            program_.value_count_ += step.value_count;
-            compiled.step = static_cast<int>(program_.steps_.size());
-            program_.steps_.push_back(std::move(step));
-        }
-        compiled.state = Compiled::State::Done;
-        return compiled;
-    }
-
-    [[nodiscard]] static std::vector<NodeValue> fold(ProgramStep& step)
-    {
-        step.wanted_outputs = ~0u;
-        std::vector<NodeValue> outputs(static_cast<std::size_t>(step.value_count),
-                                       NodeValue(0.0f));
-        const Nowhere nowhere;
-        const std::vector<ProgramStep> no_steps;
-        ProgramRun run(no_steps, 0, nowhere.hit());
-        step.node->evaluate(NodeInputs(run, step), outputs);
-        return outputs;
-    }
-
     void add_closures(const NodeOutput& output,
                       float constant_weight,
                       const std::vector<ProgramLeaf::Factor>& factors)
     {
         const NodeGraph::Node& node = graph_.node(output.node);
         if (is_on_the_way_[output.node]) {
-            refuse_circle(output.node);
+            refuse_circle(graph_, output.node);
         }
         if (++depth_ > deepest) {
             throw std::invalid_argument("mixed shaders are nested more than " +
@@ -190,7 +63,7 @@ private:
             add_shader(node, 1, constant_weight, factors);
             break;
         case NodeRole::Closure:
-            add_leaf(node.type->make_closure(node.options, resources_), inputs_of(node),
+            add_leaf(node.type->make_closure(node.options, resources_), values_.inputs_of(node),
                      constant_weight, factors);
             break;
         case NodeRole::Value: add_shining(output, constant_weight, factors); break;
@@ -213,7 +86,7 @@ private:
                  float constant_weight,
                  const std::vector<ProgramLeaf::Factor>& factors)
     {
-        const ProgramInput factor = input_of(node, 0);
+        const ProgramInput factor = values_.input_of(node, 0);
         for (const bool is_rest : {true, false}) {
             const std::size_t shader = is_rest ? 1 : 2;
             if (factor.is_constant()) {
@@ -238,8 +111,8 @@ private:
         const NodeType& emission = *node_type_named("EMISSION");
         NodeGraph shining;
         const std::size_t number = shining.add("EMISSION");
-        std::vector<ProgramInput> inputs = inputs_of(shining.node(number));
-        inputs[0] = linked(output, SocketType::Color);
+        std::vector<ProgramInput> inputs = values_.inputs_of(shining.node(number));
+        inputs[0] = values_.linked(output, SocketType::Color);
         add_leaf(emission.make_closure({}, resources_), std::move(inputs), constant_weight,
                  factors);
     }
@@ -274,7 +147,7 @@ private:
     const NodeGraph& graph_;
     NodeResources& resources_;
     ShaderProgram& program_;
-    std::vector<Compiled> compiled_;
+    ValueCompiler values_;
     std::vector<bool> is_on_the_way_;  // to the closure that is added
     int depth_ = 0;
 };
