@@ -19,13 +19,12 @@ py::dict snapshot(Engine& engine)
     }
     py::dict result;
     for (const PassImage& image : images) {
-        const PassInfo& pass = info(image.pass);
         py::array_t<float> array({static_cast<py::ssize_t>(image.height),
                                   static_cast<py::ssize_t>(image.width),
-                                  static_cast<py::ssize_t>(pass.channels())});
+                                  static_cast<py::ssize_t>(info(image.pass.pass).channels())});
         std::memcpy(array.mutable_data(), image.pixels.data(),
                     image.pixels.size() * sizeof(float));
-        result[py::str(std::string(pass.name))] = array;
+        result[py::str(image.pass.name())] = array;
     }
     return result;
 }

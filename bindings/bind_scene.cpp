@@ -61,7 +61,10 @@ void add_instances(SceneBuilder& scene,
                    const std::optional<Array<float>>& randoms,
                    const std::vector<std::string>& hidden_from,
                    bool is_holdout,
-                   const std::map<std::string, Array<float>>& attributes)
+                   const std::map<std::string, Array<float>>& attributes,
+                   bool is_shadow_catcher,
+                   const std::string& name,
+                   const std::string& asset)
 {
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
@@ -106,7 +109,9 @@ void add_instances(SceneBuilder& scene,
                             .materials = materials,
                             .look = look,
                             .visibility = visibility,
-                            .is_holdout = is_holdout});
+                            .is_holdout = is_holdout,
+                            .is_shadow_catcher = is_shadow_catcher,
+                            .matte = {.object = matte_id(name), .asset = matte_id(asset)}});
     }
 }
 
@@ -173,14 +178,18 @@ void bind_scene(py::module_& m)
         .def("add_instances", &add_instances, "mesh"_a, "world_from_object"_a,
              "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(),
              "pass_index"_a = 0.0f, "randoms"_a = py::none(), "hidden_from"_a = py::list(),
-             "is_holdout"_a = false, "attributes"_a = py::dict(),
+             "is_holdout"_a = false, "attributes"_a = py::dict(), "is_shadow_catcher"_a = false,
+             "name"_a = "", "asset"_a = "",
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot. For the "
              "Object\n"
              "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
              "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, SHADOW rays; a holdout is cut "
-             "out "
-             "of\n"
-             "the picture. attributes (n, 4), of objects, where the mesh has none of the name.")
+             "out of\n"
+             "the picture. attributes (n, 4), of objects, where the mesh has none of the name. Of "
+             "a\n"
+             "shadow catcher only what objects change is seen. name, asset: for Cryptomatte, of "
+             "the\n"
+             "object and of what it is part of.")
         .def("set_camera", &set_camera, "world_from_camera"_a, "slope_bounds"_a, "resolution"_a,
              "border"_a = py::none(), "clip"_a = std::array<double, 2>{0.001, 1e9},
              "metres_per_unit"_a = 1.0,

@@ -35,7 +35,12 @@ RenderSettings make_settings(std::uint32_t samples,
                              double filter_width_px,
                              const LightPathLimits& limits,
                              bool chromatic,
-                             const py::object& stiles_crawford)
+                             const py::object& stiles_crawford,
+                             float mist_start,
+                             float mist_depth,
+                             const std::string& mist_falloff,
+                             float occlusion_distance,
+                             float pass_alpha_threshold)
 {
     RenderSettings settings;
     settings.samples = samples;
@@ -62,6 +67,15 @@ RenderSettings make_settings(std::uint32_t samples,
     settings.filter_width_px = filter_width_px;
     settings.chromatic = chromatic;
     settings.stiles_crawford = stiles_crawford_from(stiles_crawford);
+    settings.surface_passes = {
+        .mist_start = mist_start,
+        .mist_depth = mist_depth,
+        .mist_falloff = named<MistFalloff>("mist_falloff", mist_falloff,
+                                           {{"QUADRATIC", MistFalloff::Quadratic},
+                                            {"LINEAR", MistFalloff::Linear},
+                                            {"INVERSE_QUADRATIC", MistFalloff::InverseQuadratic}}),
+        .occlusion_distance = occlusion_distance};
+    settings.pass_alpha_threshold = pass_alpha_threshold;
     return settings;
 }
 
@@ -107,11 +121,14 @@ void bind_settings(py::module_& m)
     using namespace py::literals;
 
     py::list passes;
+    py::list cryptomatte;
     for (const PassInfo& pass : pass_table) {
         const py::tuple row =
             py::make_tuple(std::string(pass.name), pass.channels(), std::string(pass.channel_ids));
-        // Not a picture to look at, but what merges pictures.
-        if (pass.pass == Pass::SampleWeight) {
+        if (pass.source == PassSource::Coverage) {
+            cryptomatte.append(row);
+        } else if (pass.pass == Pass::SampleWeight) {
+            // Not a picture to look at, but what merges pictures.
             m.attr("SAMPLE_WEIGHT") = row;
         } else {
             passes.append(row);
@@ -119,6 +136,9 @@ void bind_settings(py::module_& m)
     }
     m.attr("PASSES") = passes;
     m.attr("PIXEL_FILTERS") = names_of(pixel_filter_kinds);
+    m.attr("CRYPTOMATTE") = cryptomatte;
+    m.def("murmur3_32", &murmur3_32, "text"_a, "MurmurHash3 of the text in UTF-8.");
+    m.def("matte_id", &matte_id, "name"_a, "The number of a name in Cryptomatte's pictures.");
     m.attr("STILES_CRAWFORD_MODES") = names_of(stiles_crawford_modes);
 
     const LightPathLimits all;
@@ -144,6 +164,10 @@ void bind_settings(py::module_& m)
              "film_transparent"_a = false, "film_glass_roughness"_a = py::none(),
              "exposure"_a = 1.0, "pixel_filter"_a = "BLACKMAN_HARRIS", "filter_width_px"_a = 1.5,
              "limits"_a = all, "chromatic"_a = false, "stiles_crawford"_a = "OFF",
+             "mist_start"_a = SurfacePassSettings{}.mist_start,
+             "mist_depth"_a = SurfacePassSettings{}.mist_depth, "mist_falloff"_a = "QUADRATIC",
+             "occlusion_distance"_a = SurfacePassSettings{}.occlusion_distance,
+             "pass_alpha_threshold"_a = RenderSettings{}.pass_alpha_threshold,
              "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
              "all.\n"
              "film_glass_roughness: glass up to this shows a transparent film, too.\n"
@@ -152,7 +176,11 @@ void bind_settings(py::module_& m)
              "stiles_crawford: 'BRIGHTNESS' (or True) shapes blur alone; with 'ENERGY' the "
              "picture\n"
              "darkens to what part of the pupil is as good as its peak, and where the eye loses\n"
-             "rays.")
+             "rays. For passes: mist from mist_start over mist_depth units, falloff QUADRATIC,\n"
+             "LINEAR or INVERSE_QUADRATIC; how far Ambient Occlusion looks; and below what alpha\n"
+             "Depth and other passes without blur see through a surface. Cryptomatte's pictures "
+             "go\n"
+             "by names such as 'CryptoObject00'.")
         .def("__repr__", &settings_text);
 }
 

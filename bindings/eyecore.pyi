@@ -16,6 +16,9 @@ PASSES: list[tuple[str, int, str]]  # name, channels, channel names
 # One more pass: by what each channel of Combined was divided, and in A Normal and Albedo. Pictures
 # I of sample ranges, with weights W, make the whole picture: sum(W * I) / sum(W).
 SAMPLE_WEIGHT: tuple[str, int, str]
+# The same of pictures that are named with a number from 00: two things each, the number of each
+# thing's name (`matte_id`) and how much of the pixel it covers.
+CRYPTOMATTE: list[tuple[str, int, str]]
 EYE_MODELS: list[str]
 RAY_FATES: list[str]  # what becomes of a ray: Eye.rays numbers them
 REFRACTION_ZEROS: list[str]
@@ -26,6 +29,9 @@ PUPIL_PATTERNS: list[str]
 NODE_TYPES: dict[str, dict[str, list[str]]]
 PIXEL_FILTERS: list[str]
 STILES_CRAWFORD_MODES: list[str]
+
+def matte_id(name: str) -> float: ...
+def murmur3_32(text: str) -> int: ...
 
 class Prescription:
     def __init__(
@@ -269,6 +275,9 @@ class Scene:
         hidden_from: Sequence[str] = ...,
         is_holdout: bool = False,
         attributes: Mapping[str, ArrayLike] = ...,
+        is_shadow_catcher: bool = False,
+        name: str = "",
+        asset: str = "",
     ) -> None: ...
     def add_light(
         self,
@@ -363,6 +372,11 @@ class Settings:
         limits: LightPathLimits = ...,
         chromatic: bool = False,
         stiles_crawford: str | bool = "OFF",
+        mist_start: float = 5.0,
+        mist_depth: float = 25.0,
+        mist_falloff: str = "QUADRATIC",
+        occlusion_distance: float = 10.0,
+        pass_alpha_threshold: float = 0.5,
     ) -> None: ...
 
 class Session:

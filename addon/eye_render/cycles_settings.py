@@ -13,6 +13,10 @@ def of_scene(scene: bpy.types.Scene) -> bpy.types.PropertyGroup | None:
     return getattr(scene, "cycles", None)
 
 
+def of_layer(view_layer: bpy.types.ViewLayer) -> bpy.types.PropertyGroup | None:
+    return getattr(view_layer, "cycles", None)
+
+
 def film(scene: bpy.types.Scene) -> dict[str, object]:
     """Keywords of `eyecore.Settings`."""
     cycles = of_scene(scene)

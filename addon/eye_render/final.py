@@ -6,7 +6,7 @@ from collections.abc import Callable
 import bpy
 import numpy as np
 
-from . import batch, contradictions, export, found, passes, reporting
+from . import batch, contradictions, cryptomatte, export, found, passes, reporting
 from .core import EyeRenderError
 from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
 from .observer import has_automatic_pupil, holds_pupil, make_observer, observer_arguments
@@ -56,18 +56,17 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
     check_camera(camera)
     settings = camera.data.eye_render
     contradictions.check(settings, batch.overrides)
-    pass_names = passes.add(engine, view_layer)
+    passes.add(engine, view_layer)
     try:
         engine.update_stats("", "Exporting the scene")
-        core_scene = export.export_scene(depsgraph, warn, check_cancel)
+        core_scene, matte_names = export.export_scene(depsgraph, warn, check_cancel)
+        cryptomatte.stamp(engine.get_result(), view_layer, matte_names)
         is_held = holds_pupil(settings, batch.overrides)
         known_pupil = found.first_pupil_of_render(camera.data) if is_held else None
         for view in engine.get_result().views:
             engine.active_view_set(view.name)
             # One person's pupils are alike: the views share the first one's.
-            known_pupil = _render_view(
-                engine, depsgraph, core_scene, pass_names, view.name, known_pupil, warn
-            )
+            known_pupil = _render_view(engine, depsgraph, core_scene, view.name, known_pupil, warn)
     except _Cancelled:
         return
 
@@ -76,7 +75,6 @@ def _render_view(
     engine: bpy.types.RenderEngine,
     depsgraph: bpy.types.Depsgraph,
     core_scene,
-    pass_names: list[str],
     view_name: str,
     known_pupil: found.Pupil | None,
     warn: Callable[[str], None],
@@ -105,7 +103,7 @@ def _render_view(
             known_pupil.diameter_mm if known_pupil else None,
         )
     )
-    core_settings = make_settings(scene, overrides, pass_names)
+    core_settings = make_settings(scene, depsgraph.view_layer_eval, overrides)
 
     engine.update_stats("", "Preparing the render")
     with RenderSession(core_scene, observer, core_settings) as session:

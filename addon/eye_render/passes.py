@@ -1,17 +1,30 @@
 """Render passes: one table, from the core, for registering, adding and writing."""
 
+from typing import NamedTuple
+
 import bpy
 import numpy as np
 
-from . import batch, compat, core
+from . import batch, compat, core, cycles_settings
 
 _VALUE_KIND = {1: "VALUE", 3: "VECTOR", 4: "COLOR"}
 
-# The property that switches each pass: Blender's, of the view layer, or that of
-# `view_layer.eye_render` where Blender has none.
-_SWITCHES = {
+# The property that switches each pass: Blender's, of the view layer; or Cycles', of
+# `view_layer.cycles`; or that of `view_layer.eye_render` where neither has one.
+_DATA_SWITCHES = {
     "Depth": "use_pass_z",
+    "Mist": "use_pass_mist",
+    "Position": "use_pass_position",
     "Normal": "use_pass_normal",
+    "UV": "use_pass_uv",
+    "Object Index": "use_pass_object_index",
+    "Material Index": "use_pass_material_index",
+    "Denoising Normal": "denoising_store_passes",
+    "Denoising Albedo": "denoising_store_passes",
+    "Defocus": "use_pass_defocus",
+    "Blur": "use_pass_blur",
+}
+_LIGHT_SWITCHES = {
     "Diffuse Direct": "use_pass_diffuse_direct",
     "Diffuse Indirect": "use_pass_diffuse_indirect",
     "Diffuse Color": "use_pass_diffuse_color",
@@ -25,55 +38,116 @@ _SWITCHES = {
     "Volume Indirect": "use_pass_volume_indirect",
     "Emission": "use_pass_emit",
     "Environment": "use_pass_environment",
-    "Denoising Albedo": "denoising_store_passes",
-    "Defocus": "use_pass_defocus",
-    "Blur": "use_pass_blur",
+    "Ambient Occlusion": "use_pass_ambient_occlusion",
+    "Shadow Catcher": "use_pass_shadow_catcher",
 }
+SWITCHES = _DATA_SWITCHES | _LIGHT_SWITCHES
+_CRYPTOMATTE_SWITCHES = {
+    "CryptoObject": "use_pass_cryptomatte_object",
+    "CryptoMaterial": "use_pass_cryptomatte_material",
+    "CryptoAsset": "use_pass_cryptomatte_asset",
+}
+_THINGS_IN_A_PICTURE = 2  # of Cryptomatte
 
 
-def switches(view_layer: bpy.types.ViewLayer) -> dict[str, bpy.types.bpy_struct]:
-    """The switches of passes, each with what holds it."""
-    return {
-        switch: view_layer if hasattr(view_layer, switch) else view_layer.eye_render
-        for switch in _SWITCHES.values()
-    }
+class Row(NamedTuple):
+    """One picture that a render delivers."""
+
+    name: str  # in the core
+    channels: int
+    channel_ids: str
+
+    @property
+    def shown(self) -> str:
+        """Its name in this Blender."""
+        return compat.pass_name(self.name)
+
+    @property
+    def kind(self) -> str:
+        is_color = self.channel_ids.upper() in {"RGB", "RGBA"}
+        return "COLOR" if is_color else _VALUE_KIND[self.channels]
 
 
-def _is_enabled(view_layer: bpy.types.ViewLayer, name: str) -> bool:
-    if name == "Combined":
-        return True
-    switch = _SWITCHES[name]
-    # Files made for Cycles keep what they switched on there.
-    holders = (view_layer, view_layer.eye_render, getattr(view_layer, "cycles", None))
-    return any(getattr(holder, switch, False) for holder in holders)
+def switches(
+    view_layer: bpy.types.ViewLayer, light: bool
+) -> list[tuple[str, bpy.types.bpy_struct]]:
+    """The switches of passes, of light or of data, each with what holds it."""
+    names = dict.fromkeys((_LIGHT_SWITCHES if light else _DATA_SWITCHES).values())
+    held = ((name, _holder(view_layer, name)) for name in names)
+    return [(name, holder) for name, holder in held if holder is not None]
 
 
-def enabled(view_layer: bpy.types.ViewLayer) -> list[tuple[str, int, str]]:
-    """(name, channels, channel ids) of the passes that the view layer asks for; and, of a part of
-    the samples, the pass that merges it with the others."""
-    rows = [row for row in core.require().PASSES if _is_enabled(view_layer, row[0])]
+def _holder(view_layer: bpy.types.ViewLayer, switch: str) -> bpy.types.bpy_struct | None:
+    """None for a switch of Cycles where Cycles is not enabled."""
+    holders = (view_layer, view_layer.eye_render, cycles_settings.of_layer(view_layer))
+    return next((holder for holder in holders if hasattr(holder, switch)), None)
+
+
+def _is_on(view_layer: bpy.types.ViewLayer, switch: str) -> bool:
+    return getattr(_holder(view_layer, switch), switch, False)
+
+
+def cryptomatte_kinds(view_layer: bpy.types.ViewLayer) -> list[str]:
+    """The names of Cryptomattes that the view layer asks for, without their numbers."""
+    return [name for name, switch in _CRYPTOMATTE_SWITCHES.items() if _is_on(view_layer, switch)]
+
+
+def needs_uvs(view_layer: bpy.types.ViewLayer) -> bool:
+    return _is_on(view_layer, SWITCHES["UV"])
+
+
+def enabled(view_layer: bpy.types.ViewLayer) -> list[Row]:
+    """What the view layer asks for; and, of a part of the samples, the pass that merges it with
+    the others."""
+    table = core.require()
+    rows = [
+        Row(*row)
+        for row in table.PASSES
+        if row[0] == "Combined" or _is_on(view_layer, SWITCHES[row[0]])
+    ]
+    things = view_layer.pass_cryptomatte_depth
+    for name, channels, channel_ids in table.CRYPTOMATTE:
+        if name in cryptomatte_kinds(view_layer):
+            pictures = -(-things // _THINGS_IN_A_PICTURE)
+            rows += [Row(f"{name}{i:02}", channels, channel_ids) for i in range(pictures)]
     is_part = batch.overrides.sample_range is not None
-    return [*rows, core.require().SAMPLE_WEIGHT] if is_part else rows
+    return [*rows, Row(*table.SAMPLE_WEIGHT)] if is_part else rows
+
+
+def settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> dict[str, object]:
+    """What the core's settings say about passes."""
+    result = {
+        "passes": [row.name for row in enabled(view_layer)],
+        "pass_alpha_threshold": view_layer.pass_alpha_threshold,
+    }
+    world = compat.world_of(scene, view_layer)
+    if world is not None:
+        mist = world.mist_settings
+        result |= {
+            "mist_start": mist.start,
+            "mist_depth": max(mist.depth, _LEAST_MIST_DEPTH),
+            "mist_falloff": mist.falloff,
+            "occlusion_distance": world.light_settings.distance,
+        }
+    return result
+
+
+_LEAST_MIST_DEPTH = 1e-6  # Blender allows 0: a wall of mist
 
 
 def register(
     engine: bpy.types.RenderEngine, scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer
 ) -> None:
     """Tell the compositor which sockets the render layer has."""
-    for name, channels, channel_ids in enabled(view_layer):
-        kind = "COLOR" if channel_ids == "RGB" else _VALUE_KIND[channels]
-        shown = compat.pass_name(name)
-        engine.register_pass(scene, view_layer, shown, channels, channel_ids, kind)
+    for row in enabled(view_layer):
+        engine.register_pass(scene, view_layer, row.shown, row.channels, row.channel_ids, row.kind)
 
 
-def add(engine: bpy.types.RenderEngine, view_layer: bpy.types.ViewLayer) -> list[str]:
-    """Add the enabled passes to the render result; gives their names in the core."""
-    rows = enabled(view_layer)
-    for name, channels, channel_ids in rows:
-        if name != "Combined":  # Blender adds this one itself
-            shown = compat.pass_name(name)
-            engine.add_pass(shown, channels, channel_ids, layer=view_layer.name)
-    return [name for name, _, _ in rows]
+def add(engine: bpy.types.RenderEngine, view_layer: bpy.types.ViewLayer) -> None:
+    """Add the enabled passes to the render result."""
+    for row in enabled(view_layer):
+        if row.name != "Combined":  # Blender adds this one itself
+            engine.add_pass(row.shown, row.channels, row.channel_ids, layer=view_layer.name)
 
 
 def write(layer: bpy.types.RenderLayer, pixels: dict[str, np.ndarray]) -> None:

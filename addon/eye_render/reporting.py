@@ -77,7 +77,7 @@ def subjects_in(context: bpy.types.Context, warn: Callable[[str], None]) -> dict
             facts = facts_of(observer)
         else:
             if core_scene is None:
-                core_scene = export_scene(depsgraph, warn, check_cancel=lambda: None)
+                core_scene, _ = export_scene(depsgraph, warn, check_cancel=lambda: None)
                 frame = frame_of(scene.render)
                 set_camera(core_scene, _Middle(), depsgraph, camera, frame)
             with core.speaking() as eyecore:

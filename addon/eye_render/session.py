@@ -5,7 +5,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
-from . import choices, core, cycles_settings
+from . import choices, core, cycles_settings, passes
 from .batch import Overrides
 from .core import EyeRenderError
 
@@ -16,7 +16,7 @@ class Progress(NamedTuple):
     fraction: float  # 0 to 1
 
 
-def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list[str]):
+def make_settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer, overrides: Overrides):
     """The core's settings."""
     settings = scene.eye_render
     quality = overrides.quality or settings.quality
@@ -28,13 +28,13 @@ def make_settings(scene: bpy.types.Scene, overrides: Overrides, pass_names: list
             seed=settings.seed if overrides.seed is None else overrides.seed,
             sample_range=overrides.sample_range,
             pattern=settings.pupil_pattern,
-            passes=pass_names,
             threads=scene.render.threads if scene.render.threads_mode == "FIXED" else 0,
             film_transparent=scene.render.film_transparent,
             limits=cycles_settings.limits(scene),
             **cycles_settings.film(scene),
             chromatic=settings.chromatic if overrides.chromatic is None else overrides.chromatic,
             stiles_crawford=overrides.stiles_crawford or settings.stiles_crawford,
+            **passes.settings(scene, view_layer),
         )
 
 

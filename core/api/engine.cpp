@@ -48,6 +48,16 @@ void require_valid(const Observer& observer)
     }
 }
 
+// As Cycles has it: who asks for the factor of the shadow applies it.
+CaughtShadow caught_shadow(const RenderSettings& settings)
+{
+    if (std::ranges::find(settings.passes, PassRequest(Pass::ShadowCatcher)) !=
+        settings.passes.end()) {
+        return CaughtShadow::Apart;
+    }
+    return settings.film_transparent ? CaughtShadow::OverNothing : CaughtShadow::OverWorld;
+}
+
 // How a schematic eye's rays are found.
 std::string trace_text(const EyeDescription& eye, const std::optional<double>& fitted_field_deg)
 {
@@ -98,12 +108,14 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     }
     SessionSettings session{.samples = samples_of(settings),
                             .passes = settings.passes,
+                            .shadow = caught_shadow(settings),
                             .exposure = settings.exposure,
                             .threads = settings.threads};
     if (settings.stiles_crawford == StilesCrawfordMode::Energy) {
         session.efficiency = cones.effective_area_ratio();
     }
-    job.passes = PassLayout(settings.passes);
+    job.passes = PassLayout(settings.passes, plan_.shadow_catcher);
+    job.chief_least_alpha = settings.pass_alpha_threshold;
     job.integrator = integrator_settings(settings);
     job.integrator.pixel_slope = static_cast<float>(frame.pixel_slope_size().x);
     job.seed = settings.seed;

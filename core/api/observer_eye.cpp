@@ -6,6 +6,7 @@
 #include "base/units.h"
 #include "eye/field_luminance.h"
 #include "optics/population_wavefront.h"
+#include "render/chief_passes.h"
 #include "render/tracer.h"
 
 #include <algorithm>
@@ -36,7 +37,7 @@ double focus_distance_m(const Observer& observer,
         }
         return observer.focus_distance_m;
     case FocusMode::Center:
-        return distance_along_m(scene, frame, relaxed_eye,
+        return distance_along_m({.scene = scene, .frame = frame, .eye = relaxed_eye},
                                 V2d(0.5 * (frame.slope_left + frame.slope_right),
                                     0.5 * (frame.slope_bottom + frame.slope_top)));
     case FocusMode::Relaxed: break;
@@ -127,8 +128,7 @@ std::vector<Color3f> field_radiance(const std::shared_ptr<const Scene>& scene,
     on_threads(threads, [&] {
         trace_samples(job, {.first = 0, .last = luminance_samples}, film, never_cancelled);
     });
-    constexpr std::array combined{Pass::Combined};
-    const PassImage image = film.snapshot(combined).front();
+    const PassImage image = film.snapshot({Pass::Combined}).front();
     std::vector<Color3f> radiance;
     for (std::size_t i = 0; i < image.pixels.size(); i += 4) {
         radiance.emplace_back(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);

@@ -23,6 +23,11 @@ void require_valid(const RenderSettings& settings)
     if (settings.film_glass_roughness) {
         require_range("film_glass_roughness", *settings.film_glass_roughness, 0.0, 1.0, "");
     }
+    const SurfacePassSettings& surface = settings.surface_passes;
+    require_range("mist_start", surface.mist_start, 0.0, 1e30, "units");
+    require_range("mist_depth", surface.mist_depth, 1e-30, 1e30, "units");
+    require_range("occlusion_distance", surface.occlusion_distance, 0.0, 1e30, "units");
+    require_range("pass_alpha_threshold", settings.pass_alpha_threshold, 0.0, 1.0, "");
     if (settings.passes.empty()) {
         throw std::invalid_argument("no passes are asked for; expected at least one");
     }
@@ -42,7 +47,8 @@ IntegratorSettings integrator_settings(const RenderSettings& settings)
 {
     IntegratorSettings integrator{.max_bounces = settings.max_bounces,
                                   .limits = settings.limits,
-                                  .film_transparent = settings.film_transparent};
+                                  .film_transparent = settings.film_transparent,
+                                  .surface_passes = settings.surface_passes};
     if (settings.film_transparent && settings.film_glass_roughness) {
         // A roughness is the root of an alpha.
         const auto roughness = static_cast<float>(*settings.film_glass_roughness);

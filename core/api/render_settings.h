@@ -20,8 +20,10 @@ struct RenderSettings {
     LightPathLimits limits{};
     std::uint64_t seed = 0;
     PupilPatternKind pattern = PupilPatternKind::Sobol;
-    std::vector<Pass> passes{Pass::Combined};
-    int threads = 0;  // 0: all the processor has
+    std::vector<PassRequest> passes{Pass::Combined};
+    SurfacePassSettings surface_passes{};
+    float pass_alpha_threshold = 0.5f;  // what is clearer is not in passes of chief rays
+    int threads = 0;                    // 0: all the processor has
     bool film_transparent = false;
     // Glass up to this roughness shows a transparent film, too; nothing: no glass does.
     std::optional<double> film_glass_roughness{};

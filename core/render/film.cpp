@@ -1,5 +1,7 @@
 #include "render/film.h"
 
+#include "render/pixel_means.h"
+
 #include <algorithm>
 
 namespace eye_render {
@@ -17,22 +19,12 @@ std::size_t pixel_index(const PixelBounds& bounds, int x, int y)
            static_cast<std::size_t>(x - bounds.x0);
 }
 
-// Where the sums stand within a pixel's stride.
-constexpr std::size_t weight_sum = 0;
-constexpr std::size_t combined_sums = 1;
-constexpr std::size_t pass_sums = 5;
-
-constexpr std::size_t rgba = 4;
-
 void add_weighted(double* sums, const V3f& value, const V3d& weight)
 {
     sums[0] += static_cast<double>(value.x) * weight.x;
     sums[1] += static_cast<double>(value.y) * weight.y;
     sums[2] += static_cast<double>(value.z) * weight.z;
 }
-
-// Without samples every sum is 0, and so is every mean.
-double divisor(double weight) { return weight > 0.0 ? weight : 1.0; }
 
 // Copies a window of rows of `stride` values a pixel from one picture into another.
 template <typename T>
@@ -58,19 +50,36 @@ void FilmTile::add(const PathSample& sample)
     if (sample.fate != RayFate::Transmitted && !layout_.efficiency) {
         return;
     }
-    double* sums = sums_.data() + pixel_index(bounds_, sample.x, sample.y) * layout_.stride();
-    sums[weight_sum] += sample.weight;
+    const std::size_t pixel = pixel_index(bounds_, sample.x, sample.y);
+    double* sums = sums_.data() + pixel * layout_.stride();
+    sums[FilmLayout::weight] += sample.weight;
     const V3d channel_weight = sample.channel_weight * sample.weight;
-    add_weighted(sums + combined_sums, sample.light.radiance, channel_weight);
+    double* const combined = sums + FilmLayout::combined;
+    add_weighted(combined, sample.light.radiance, channel_weight);
+    combined[3] += static_cast<double>(sample.light.alpha) * sample.weight;
     if (layout_.chromatic) {
         add_weighted(sums + layout_.channel_weights(), V3f(1.0f), channel_weight);
     }
-    sums[combined_sums + 3] += static_cast<double>(sample.light.alpha) * sample.weight;
+    if (sample.values != nullptr) {
+        add(*sample.values, pixel, channel_weight, sample.weight);
+    }
+}
+
+void FilmTile::add(const PassValues& values,
+                   std::size_t pixel,
+                   const V3d& channel_weight,
+                   double weight)
+{
+    double* const sums = sums_.data() + pixel * layout_.stride() + FilmLayout::pass_sums;
+    const std::span<const float> channels = values.channels();
     const std::size_t light_channels = layout_.passes.light_channels();
-    for (std::size_t i = 0; i < sample.values.size(); ++i) {
-        const double weight =
-            i < light_channels ? channel_weight[static_cast<int>(i % 3)] : sample.weight;
-        sums[pass_sums + i] += static_cast<double>(sample.values[i]) * weight;
+    for (std::size_t i = 0; i < channels.size(); ++i) {
+        sums[i] += static_cast<double>(channels[i]) *
+                   (i < light_channels ? channel_weight[static_cast<int>(i % 3)] : weight);
+    }
+    for (const MatteShare& matte : values.mattes()) {
+        mattes_[pixel * layout_.passes.matte_kinds() + matte.kind].add(
+            matte.id, static_cast<double>(matte.coverage) * weight);
     }
 }
 
@@ -81,7 +90,8 @@ void FilmTile::set(int x, int y, std::span<const float> chief)
 
 Film::Film(const PixelBounds& bounds, const FilmLayout& layout)
     : bounds_(bounds), layout_(layout), sums_(pixel_count(bounds) * layout.stride()),
-      chief_(pixel_count(bounds) * layout.passes.chief_channels())
+      chief_(pixel_count(bounds) * layout.passes.chief_channels()),
+      mattes_(pixel_count(bounds) * layout.passes.matte_kinds())
 {
 }
 
@@ -95,6 +105,9 @@ FilmTile Film::take(const PixelBounds& bounds) const
     const std::size_t chief_channels = layout_.passes.chief_channels();
     tile.chief_.resize(pixel_count(bounds) * chief_channels);
     copy_window(chief_, bounds_, tile.chief_, bounds, bounds, chief_channels);
+    const std::size_t kinds = layout_.passes.matte_kinds();
+    tile.mattes_.resize(pixel_count(bounds) * kinds);
+    copy_window(mattes_, bounds_, tile.mattes_, bounds, bounds, kinds);
     return tile;
 }
 
@@ -107,40 +120,8 @@ void Film::put(const FilmTile& tile)
     }
     copy_window(tile.chief_, tile.bounds_, chief_, bounds_, tile.bounds_,
                 layout_.passes.chief_channels());
-}
-
-double Film::mean(const double* sums, Pass pass, std::size_t channel) const
-{
-    const bool is_light = info(pass).source == PassSource::Light && channel < 3;
-    const std::size_t first =
-        pass == Pass::Combined ? combined_sums
-                               : pass_sums + static_cast<std::size_t>(layout_.passes.first(pass));
-    const double scale = is_light ? layout_.light_scale() : 1.0;
-    return scale * sums[first + channel] /
-           divisor(sums[is_light ? weight_of(channel) : weight_sum]);
-}
-
-void Film::write(std::vector<float>& pixels, Pass pass) const
-{
-    const std::size_t channels = info(pass).channels();
-    const std::optional<Pass> color = info(pass).divisor;
-    float* out = pixels.data();
-    for (std::size_t i = 0; i < sums_.size(); i += layout_.stride()) {
-        for (std::size_t channel = 0; channel < channels; ++channel) {
-            double value = pass == Pass::SampleWeight ? sums_[i + weight_of(channel)]
-                                                      : mean(sums_.data() + i, pass, channel);
-            if (color) {
-                value /= divisor(mean(sums_.data() + i, *color, channel));
-            }
-            *out++ = static_cast<float>(value);
-        }
-    }
-}
-
-std::size_t Film::weight_of(std::size_t channel) const
-{
-    const bool is_color = channel < 3;
-    return layout_.chromatic && is_color ? layout_.channel_weights() + channel : weight_sum;
+    copy_window(tile.mattes_, tile.bounds_, mattes_, bounds_, tile.bounds_,
+                layout_.passes.matte_kinds());
 }
 
 RayFates Film::fates() const
@@ -149,24 +130,36 @@ RayFates Film::fates() const
     return fates_;
 }
 
-std::vector<PassImage> Film::snapshot(std::span<const Pass> passes) const
+void Film::write(const PassRequest& request, std::size_t pixel, std::span<float> channels) const
+{
+    const PassLayout& passes = layout_.passes;
+    const PixelMeans means(layout_, sums_.data() + pixel * layout_.stride());
+    const auto first = static_cast<std::size_t>(passes.first(request.pass));
+    switch (info(request.pass).source) {
+    case PassSource::Chief:
+        std::copy_n(chief_.data() + pixel * passes.chief_channels() + first, channels.size(),
+                    channels.begin());
+        break;
+    case PassSource::Coverage:
+        mattes_[pixel * passes.matte_kinds() + first].write(
+            static_cast<std::size_t>(request.number), means.weight(), channels.first<4>());
+        break;
+    default: means.write(request.pass, channels); break;
+    }
+}
+
+std::vector<PassImage> Film::snapshot(const std::vector<PassRequest>& passes) const
 {
     std::vector<PassImage> images;
     const std::scoped_lock lock(mutex_);
-    for (const Pass pass : passes) {
-        const std::size_t channels = info(pass).channels();
-        PassImage image{.pass = pass,
+    for (const PassRequest& request : passes) {
+        const std::size_t channels = info(request.pass).channels();
+        PassImage image{.pass = request,
                         .width = bounds_.width(),
                         .height = bounds_.height(),
                         .pixels = std::vector<float>(pixel_count(bounds_) * channels)};
-        if (info(pass).source == PassSource::Chief) {
-            const auto first = static_cast<std::size_t>(layout_.passes.first(pass));
-            for (std::size_t i = 0; i < pixel_count(bounds_); ++i) {
-                std::copy_n(chief_.data() + i * layout_.passes.chief_channels() + first, channels,
-                            image.pixels.data() + i * channels);
-            }
-        } else {
-            write(image.pixels, pass);
+        for (std::size_t pixel = 0; pixel < pixel_count(bounds_); ++pixel) {
+            write(request, pixel, std::span(image.pixels).subspan(pixel * channels, channels));
         }
         images.push_back(std::move(image));
     }

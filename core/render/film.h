@@ -7,8 +7,9 @@
 #pragma once
 
 #include "render/camera.h"
+#include "render/cryptomatte.h"
+#include "render/film_layout.h"
 #include "render/integrator.h"
-#include "render/pass_layout.h"
 
 #include <array>
 #include <cstdint>
@@ -33,34 +34,14 @@ struct PathSample {
     V3d channel_weight{1.0};
     RayFate fate = RayFate::Transmitted;
     PathRadiance light;  // of a lost ray: black and opaque, as the inside of the eye is
-    std::span<const float> values{};  // of the layout's passes; none of a lost ray
+    const PassValues* values = nullptr;  // if the layout has any
 };
 
 struct PassImage {
-    Pass pass;
+    PassRequest pass;
     int width = 0;
     int height = 0;
     std::vector<float> pixels;  // rows bottom-up, channels interleaved
-};
-
-// What the film keeps for a pixel: only what some pass of the plan needs is allocated. And what
-// becomes of light that the eye loses.
-struct FilmLayout {
-    PassLayout passes{};
-    bool chromatic = false;
-    // Nothing: the picture keeps its brightness, as seeing does; lost rays are counted and left
-    // out of the means. A number: what part of the light counts; the picture darkens to it, and
-    // by the lost rays, which are black.
-    std::optional<double> efficiency{};
-    double exposure = 1.0;  // a factor of all light in the picture
-
-    // What the means of light are multiplied by.
-    [[nodiscard]] double light_scale() const { return exposure * efficiency.value_or(1.0); }
-
-    // Sums a pixel: weight, RGB, alpha, the channels of the passes, and with a chromatic film the
-    // channels' weights.
-    [[nodiscard]] std::size_t stride() const { return channel_weights() + (chromatic ? 3 : 0); }
-    [[nodiscard]] std::size_t channel_weights() const { return 5 + passes.channels(); }
 };
 
 // How many rays the eye sent out, by what became of them in it.
@@ -87,11 +68,17 @@ public:
 private:
     friend class Film;
 
+    void add(const PassValues& values,
+             std::size_t pixel,
+             const V3d& channel_weight,
+             double weight);
+
     PixelBounds bounds_;
     FilmLayout layout_;
     std::vector<double> sums_;
     std::vector<float> chief_;
-    RayFates fates_;  // of the samples added
+    std::vector<MatteSums> mattes_;  // one a pixel and kind
+    RayFates fates_;                 // of the samples added
 };
 
 class Film {
@@ -106,23 +93,19 @@ public:
 
     // A pixel without samples is black and transparent. The passes are among those that the layout
     // provides for.
-    [[nodiscard]] std::vector<PassImage> snapshot(std::span<const Pass> passes) const;
+    [[nodiscard]] std::vector<PassImage> snapshot(const std::vector<PassRequest>& passes) const;
 
     [[nodiscard]] RayFates fates() const;
 
 private:
-    void write(std::vector<float>& pixels, Pass pass) const;
-    // The mean over the samples of channel `channel` of the pass, of the pixel whose sums begin at
-    // `sums`.
-    [[nodiscard]] double mean(const double* sums, Pass pass, std::size_t channel) const;
-
-    // Where a pixel keeps the sum of the weights that went into a channel of Combined.
-    [[nodiscard]] std::size_t weight_of(std::size_t channel) const;
+    // Of pixel number `pixel`.
+    void write(const PassRequest& request, std::size_t pixel, std::span<float> channels) const;
 
     PixelBounds bounds_;
     FilmLayout layout_;
     std::vector<double> sums_;
     std::vector<float> chief_;
+    std::vector<MatteSums> mattes_;  // one a pixel and kind
     RayFates fates_;
     mutable std::mutex mutex_;
 };

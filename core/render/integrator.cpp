@@ -2,7 +2,6 @@
 
 #include "render/multiple_importance.h"
 #include "render/path_state.h"
-#include "render/surface_passes.h"
 
 #include <array>
 #include <cmath>
@@ -13,9 +12,6 @@ namespace eye_render {
 
 namespace {
 
-// Surfaces before roulette starts: the first two carry most of the picture.
-constexpr int roulette_start = 2;
-
 class PathTracer {
 public:
     PathTracer(const Scene& scene,
@@ -23,16 +19,17 @@ public:
                SampleSequence& sequence,
                PassValues* values)
         : scene_(scene), settings_(settings), sequence_(sequence), light_(values, settings.limits),
-          values_(values)
+          passes_(values, settings.surface_passes)
     {
     }
 
     PathTracer(const PathTracer&) = delete;
     PathTracer& operator=(const PathTracer&) = delete;
 
-    PathRadiance trace(Ray ray)
+    PathRadiance trace(const Ray& camera_ray)
     {
-        last_->point.p_world = ray.origin;
+        last_->point.p_world = camera_ray.origin;
+        Ray ray = camera_ray;
         for (;;) {
             auto hit = scene_.intersect(ray, path_);
             add_lamps(ray, hit ? hit->t : ray.t_max);
@@ -46,9 +43,15 @@ public:
             if (shows_film_ && cut_out(*hit, shaded)) {
                 break;
             }
-            if (values_ != nullptr && path_.depth == 0) {
-                note_surface(*values_, *hit, shaded, throughput_);
+            if (hit->placement->is_shadow_catcher && path_.depth == 0 && light_.may_be_caught()) {
+                be_caught(camera_ray);
             }
+            passes_.note({.scene = scene_,
+                          .hit = *hit,
+                          .shaded = shaded,
+                          .path = path_,
+                          .throughput = throughput_},
+                         sequence_.branch(static_cast<std::uint64_t>(path_.transparent_depth)));
             add_emission(*hit, shaded.emission);
             if (path_.transparent_depth > settings_.limits.transparent_bounces) {
                 break;
@@ -94,7 +97,25 @@ public:
         return light_.seen();
     }
 
+    // As if there were nothing but shadow catchers.
+    PathRadiance trace_catchers(const Ray& camera_ray)
+    {
+        path_.sees_catchers_only = true;
+        return trace(camera_ray);
+    }
+
 private:
+    void be_caught(const Ray& camera_ray)
+    {
+        SampleSequence alike = sequence_;  // so that noise is, too
+        PathTracer bare(scene_, settings_, alike, nullptr);
+        const Color3f behind = settings_.film_transparent
+                                   ? Color3f(0.0f)
+                                   : scene_.background(camera_ray.direction, path_);
+        light_.be_caught(throughput_, throughput_ * bare.trace_catchers(camera_ray).radiance,
+                         throughput_ * behind);
+    }
+
     void pass_through(Ray& ray, const SurfaceHit& hit)
     {
         travelled_ += hit.t;
@@ -152,6 +173,9 @@ private:
             }
             return;
         }
+        if (passes_.wants_world()) {
+            passes_.note_world(scene_.background(ray.direction, path_));
+        }
         const float light_pdf =
             last_->is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_->point);
         light_.add(throughput_ * scene_.background(ray.direction, path_) *
@@ -180,7 +204,7 @@ private:
         // A float's 24 bits are too few to choose among many lights.
         const double choice = u[2] + 0x1p-24 * static_cast<double>(u[3]);
         const auto light = scene_.sample_light(here_->point, choice, V2f(u[0], u[1]));
-        if (!light) {
+        if (!light || (path_.sees_catchers_only && !light->is_of_catcher)) {
             return;
         }
         BsdfValue scattered = bsdf.evaluate(light->wi);
@@ -202,14 +226,9 @@ private:
         light_.add_lit(contribution, LightOrigin{}, path_.depth + 1, bsdf, light->wi);
     }
 
-    // Square root of the throughput: paths are ended a little later than by throughput alone,
-    // which matches how dark parts are displayed (as Cycles does).
     bool survives_roulette(float u)
     {
-        if (path_.depth < roulette_start) {
-            return max_component(throughput_) > 0.0f;
-        }
-        const float probability = std::min(1.0f, std::sqrt(max_component(throughput_)));
+        const float probability = roulette_survival(path_.depth, throughput_);
         if (!(u < probability)) {
             return false;
         }
@@ -221,7 +240,7 @@ private:
     const IntegratorSettings& settings_;
     SampleSequence& sequence_;
     PathLight light_;
-    PassValues* values_;
+    SurfacePasses passes_;
     Color3f throughput_{1.0f};
     std::array<Scattering, 2> scatterings_;
     Scattering* last_ = scatterings_.data();

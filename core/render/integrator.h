@@ -8,6 +8,7 @@
 #include "render/light_path_limits.h"
 #include "render/path_light.h"
 #include "render/sample_sequence.h"
+#include "render/surface_passes.h"
 #include "scene/scene.h"
 
 namespace eye_render {
@@ -18,6 +19,7 @@ struct IntegratorSettings {
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
     // Nor through glass whose alpha squared is at most this.
     float clear_alpha_squared = -1.0f;
+    SurfacePassSettings surface_passes{};
     // Width of a pixel at distance 1 along the view: what is finer is not seen by bump mapping.
     float pixel_slope = 0.0f;
 };

@@ -1,50 +1,43 @@
 #include "render/pass_layout.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace eye_render {
 
-PassLayout::PassLayout(std::span<const Pass> passes)
+PassLayout::PassLayout(const std::vector<PassRequest>& passes, bool catches_shadows)
 {
     first_.fill(none);
-    const auto add_all = [&](PassSource source, std::size_t& channels) {
-        for (const PassInfo& pass : pass_table) {
-            const bool is_asked_for = std::ranges::find(passes, pass.pass) != passes.end();
-            const bool is_divisor = std::ranges::any_of(
-                passes, [&](Pass other) { return info(other).divisor == pass.pass; });
-            if (pass.source == source && (is_asked_for || is_divisor)) {
-                add(pass.pass, channels);
+    const auto is_wanted = [&](const PassInfo& row) {
+        return std::ranges::any_of(passes, [&](const PassRequest& request) {
+            return request.pass == row.pass || info(request.pass).divisor == row.pass;
+        });
+    };
+    // Combined stands apart: every render has it.
+    const auto add = [&](PassSource source, std::size_t& channels, bool one_each = false) {
+        for (const PassInfo& row : pass_table) {
+            if (row.source == source && row.pass != Pass::Combined && is_wanted(row)) {
+                first_[static_cast<std::size_t>(row.pass)] = static_cast<int>(channels);
+                channels += one_each ? 1 : row.channels();
             }
         }
     };
-    add_all(PassSource::Light, light_channels_);
+    add(PassSource::Light, light_channels_);
+    if (catches_shadows) {
+        catcher_ = CatcherChannels{
+            .matte = light_channels_, .bare = light_channels_ + 3, .behind = light_channels_ + 6};
+        light_channels_ += 9;
+    }
     channels_ = light_channels_;
-    add_all(PassSource::Surface, channels_);
-    add_all(PassSource::Chief, chief_channels_);
-    has_scattered_light_ =
-        has(Pass::VolumeDirect) || has(Pass::VolumeIndirect) ||
-        std::ranges::any_of(passes, [](Pass pass) { return info(pass).divisor.has_value(); });
-}
-
-void PassLayout::add(Pass pass, std::size_t& channels)
-{
-    // Combined stands apart: every render has it.
-    if (pass != Pass::Combined) {
-        first_[static_cast<std::size_t>(pass)] = static_cast<int>(channels);
-        channels += info(pass).channels();
+    add(PassSource::Surface, channels_);
+    if (catcher_) {
+        catcher_->matte_alpha = channels_++;
     }
-}
-
-void PassValues::add(Pass pass, const Color3f& value)
-{
-    const int first = layout_.first(pass);
-    if (first != PassLayout::none && std::isfinite(value.x + value.y + value.z)) {
-        float* const sums = values_.data() + first;
-        sums[0] += value.x;
-        sums[1] += value.y;
-        sums[2] += value.z;
-    }
+    add(PassSource::Chief, chief_channels_);
+    add(PassSource::Coverage, matte_kinds_, true);
+    has_scattered_light_ = std::ranges::any_of(passes, [](const PassRequest& request) {
+        return request.pass == Pass::VolumeDirect || request.pass == Pass::VolumeIndirect ||
+               info(request.pass).divisor.has_value();
+    });
 }
 
 }  // namespace eye_render

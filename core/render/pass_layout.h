@@ -11,55 +11,54 @@
 
 namespace eye_render {
 
+// What is kept where shadow catchers are in the scene, besides Combined with all there is: first
+// channels of light (shadow_catcher.h).
+struct CatcherChannels {
+    std::size_t matte = 0;        // all but what a catcher was the first to catch
+    std::size_t bare = 0;         // on catchers, as if there were nothing else
+    std::size_t behind = 0;       // of the world behind catchers
+    std::size_t matte_alpha = 0;  // one channel, not of light
+};
+
 class PassLayout {
 public:
     static constexpr int none = -1;
 
     // Of Combined alone.
-    PassLayout() : PassLayout(std::span<const Pass>{}) {}
-    explicit PassLayout(std::span<const Pass> passes);
+    PassLayout() : PassLayout(std::vector<PassRequest>{}) {}
+    explicit PassLayout(const std::vector<PassRequest>& passes, bool catches_shadows = false);
 
-    // Channels of one sample: those of light first, three a colour, then those of surfaces.
+    // Channels of one sample: those of light first, three a colour, then the others.
     [[nodiscard]] std::size_t light_channels() const { return light_channels_; }
     [[nodiscard]] std::size_t channels() const { return channels_; }
     // Of the one ray a pixel that the others come from.
     [[nodiscard]] std::size_t chief_channels() const { return chief_channels_; }
+    // Kinds of Cryptomatte.
+    [[nodiscard]] std::size_t matte_kinds() const { return matte_kinds_; }
 
-    // The pass's first channel among those of its source, or none.
+    // The pass's first channel, or for Cryptomatte its kind, among those of its source; or none.
     [[nodiscard]] int first(Pass pass) const { return first_[static_cast<std::size_t>(pass)]; }
     [[nodiscard]] bool has(Pass pass) const { return first(pass) != none; }
 
+    // Some sample has something to say besides Combined.
+    [[nodiscard]] bool has_values() const { return channels_ + matte_kinds_ > 0; }
     // Some pass tells light by what scattered it first.
     [[nodiscard]] bool has_scattered_light() const { return has_scattered_light_; }
     // Some pass tells what is there.
-    [[nodiscard]] bool has_surface() const { return channels_ > light_channels_; }
+    [[nodiscard]] bool has_surface() const
+    {
+        return channels_ > light_channels_ || matte_kinds_ > 0;
+    }
+    [[nodiscard]] const std::optional<CatcherChannels>& catcher() const { return catcher_; }
 
 private:
-    void add(Pass pass, std::size_t& channels);
-
     std::array<int, pass_count> first_{};
+    std::optional<CatcherChannels> catcher_;
     std::size_t light_channels_ = 0;
     std::size_t channels_ = 0;
     std::size_t chief_channels_ = 0;
+    std::size_t matte_kinds_ = 0;
     bool has_scattered_light_ = false;
-};
-
-// What one sample says to all passes but Combined.
-class PassValues {
-public:
-    explicit PassValues(const PassLayout& layout) : layout_(layout), values_(layout.channels()) {}
-
-    [[nodiscard]] const PassLayout& layout() const { return layout_; }
-    [[nodiscard]] std::span<const float> channels() const { return values_; }
-
-    void clear() { values_.assign(values_.size(), 0.0f); }
-
-    // Adds to the pass if it is wanted. What is not finite is left out.
-    void add(Pass pass, const Color3f& value);
-
-private:
-    const PassLayout& layout_;
-    std::vector<float> values_;
 };
 
 }  // namespace eye_render

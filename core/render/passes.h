@@ -15,7 +15,12 @@ namespace eye_render {
 enum class Pass {
     Combined,
     Depth,
+    Mist,
+    Position,
     Normal,
+    Uv,
+    ObjectIndex,
+    MaterialIndex,
     DiffuseDirect,
     DiffuseIndirect,
     DiffuseColor,
@@ -29,9 +34,15 @@ enum class Pass {
     VolumeIndirect,
     Emission,
     Environment,
+    AmbientOcclusion,
+    ShadowCatcher,
+    DenoisingNormal,
     DenoisingAlbedo,
     Defocus,
     Blur,
+    CryptoObject,
+    CryptoMaterial,
+    CryptoAsset,
     SampleWeight,
 };
 
@@ -47,6 +58,9 @@ enum class PassSource {
     // What the ray through the pixel's centre and the pupil's centre meets, which neither blur nor
     // antialiasing mixes with its neighbours.
     Chief,
+    // The things that the samples met, and how many of them: the rows of one pass are a number of
+    // pictures, named by a number after the name, with two things each.
+    Coverage,
     // Of the film itself.
     Film,
 };
@@ -63,6 +77,9 @@ struct PassInfo {
     [[nodiscard]] constexpr std::size_t channels() const { return channel_ids.size(); }
 };
 
+// Of one kind of Cryptomatte: 16 things are the most that Blender asks for.
+inline constexpr int most_crypto_pictures = 8;
+
 // Depth of nothing, as Blender's own engines write it.
 inline constexpr float background_depth = 1e10f;
 
@@ -70,8 +87,19 @@ inline constexpr std::array pass_table{
     PassInfo{Pass::Combined, "Combined", "RGBA", PassSource::Light},
     // Distance along the viewing axis, scene units.
     PassInfo{Pass::Depth, "Depth", "Z", PassSource::Chief},
-    // In world space, turned to the eye.
+    // 0 where mist begins, 1 where nothing is seen through it: by distance, not depth. A mean, so
+    // that what is mixed by it has the picture's own blur.
+    PassInfo{Pass::Mist, "Mist", "Z", PassSource::Surface},
+    // In the world.
+    PassInfo{Pass::Position, "Position", "XYZ", PassSource::Chief},
+    // In the world, turned to the eye. A mean, as Cycles has it.
     PassInfo{Pass::Normal, "Normal", "XYZ", PassSource::Surface},
+    // By the active UV map, and how much of the pixel has one. A mean, as Cycles has it: over a
+    // smooth map it is that of the pixel's middle, and pictures laid on by it have soft edges.
+    PassInfo{Pass::Uv, "UV", "UVA", PassSource::Surface},
+    // Numbers that stand for things: means of them would stand for others.
+    PassInfo{Pass::ObjectIndex, "Object Index", "X", PassSource::Chief},
+    PassInfo{Pass::MaterialIndex, "Material Index", "X", PassSource::Chief},
     // Light by what the first surface did with it: direct if it came from a light, indirect if it
     // was scattered before. Through straight passages the first surface is the next one.
     PassInfo{Pass::DiffuseDirect, "Diffuse Direct", "RGB", PassSource::Light, Pass::DiffuseColor},
@@ -93,6 +121,14 @@ inline constexpr std::array pass_table{
     // here though not in Combined.
     PassInfo{Pass::Emission, "Emission", "RGB", PassSource::Light},
     PassInfo{Pass::Environment, "Environment", "RGB", PassSource::Light},
+    // The part of the sky over a surface that nothing near covers.
+    PassInfo{Pass::AmbientOcclusion, "Ambient Occlusion", "RGB", PassSource::Surface},
+    // What the light on shadow catchers must be multiplied by to be as it is with the objects.
+    PassInfo{Pass::ShadowCatcher, "Shadow Catcher", "RGB", PassSource::Film},
+    // Of the first surface that is not smooth, as seen in what is, or of what shines: in the
+    // camera's space, +Z ahead, and the colour, at most white. Means, blurred as what is to be
+    // denoised by them.
+    PassInfo{Pass::DenoisingNormal, "Denoising Normal", "XYZ", PassSource::Surface},
     PassInfo{Pass::DenoisingAlbedo, "Denoising Albedo", "RGB", PassSource::Surface},
     // Mean of the paraxial E = K - I/x, dioptres: positive where the eye is focused nearer than
     // the surface.
@@ -100,6 +136,10 @@ inline constexpr std::array pass_table{
     // Major diameter of the paraxial blur ellipse, arcmin: of focus and astigmatism as next to the
     // axis, without aberrations of higher order.
     PassInfo{Pass::Blur, "Blur", "X", PassSource::Chief},
+    // Cryptomatte: blur and antialiasing are coverage.
+    PassInfo{Pass::CryptoObject, "CryptoObject", "rgba", PassSource::Coverage},
+    PassInfo{Pass::CryptoMaterial, "CryptoMaterial", "rgba", PassSource::Coverage},
+    PassInfo{Pass::CryptoAsset, "CryptoAsset", "rgba", PassSource::Coverage},
     // By what Combined was divided, channel by channel, and in A the other means: the number of
     // samples, unless wavelengths or points of the pupil count differently. Pictures I of sample
     // ranges, with weights W, make the whole: sum(W I) / sum(W), if I is a mean.
@@ -113,14 +153,20 @@ static_assert(pass_table.size() == pass_count);
     return pass_table[static_cast<std::size_t>(pass)];
 }
 
-[[nodiscard]] constexpr std::optional<Pass> pass_named(std::string_view name)
-{
-    for (const PassInfo& entry : pass_table) {
-        if (entry.name == name) {
-            return entry.pass;
-        }
-    }
-    return std::nullopt;
-}
+// One picture that a render delivers.
+struct PassRequest {
+    // NOLINTNEXTLINE(google-explicit-constructor): most passes are one picture
+    PassRequest(Pass wanted, int picture = 0) : pass(wanted), number(picture) {}
+
+    Pass pass;
+    int number;  // among the pictures of its pass
+
+    [[nodiscard]] std::string name() const;
+
+    bool operator==(const PassRequest&) const = default;
+};
+
+// By what PassRequest::name gives.
+[[nodiscard]] std::optional<PassRequest> pass_named(std::string_view name);
 
 }  // namespace eye_render

@@ -56,6 +56,9 @@ void PathLight::add(const Color3f& light,
     if (values_ == nullptr) {
         return;
     }
+    if (may_be_caught()) {
+        values_->add_at(values_->layout().catcher()->matte, contribution);
+    }
     if (bounces == 0) {
         values_->add(origin.is_world ? Pass::Environment : Pass::Emission, contribution);
     } else if (values_->layout().has_scattered_light()) {
@@ -69,6 +72,21 @@ void PathLight::add(const Color3f& light,
         values_->add(is_direct ? Pass::TransmissionDirect : Pass::TransmissionIndirect,
                      contribution - diffuse - glossy - volume);
     }
+}
+
+void PathLight::uncover_matte(float share)
+{
+    if (may_be_caught()) {
+        values_->add_at(values_->layout().catcher()->matte_alpha, -share);
+    }
+}
+
+void PathLight::be_caught(const Color3f& share, const Color3f& bare, const Color3f& behind)
+{
+    uncover_matte((share.x + share.y + share.z) / 3.0f);
+    values_->add_at(values_->layout().catcher()->bare, bare);
+    values_->add_at(values_->layout().catcher()->behind, behind);
+    is_caught_ = true;
 }
 
 }  // namespace eye_render

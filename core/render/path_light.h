@@ -6,7 +6,7 @@
 #pragma once
 
 #include "render/light_path_limits.h"
-#include "render/pass_layout.h"
+#include "render/pass_values.h"
 #include "shading/bsdf.h"
 
 namespace eye_render {
@@ -80,8 +80,19 @@ public:
     // A share of what the path sees is not in the picture.
     void uncover(const Color3f& share)
     {
-        seen_.alpha = std::max(0.0f, seen_.alpha - (share.x + share.y + share.z) / 3.0f);
+        const float mean = (share.x + share.y + share.z) / 3.0f;
+        seen_.alpha = std::max(0.0f, seen_.alpha - mean);
+        uncover_matte(mean);
     }
+
+    // Whether shadow catchers are to be told apart, and none was met so far.
+    [[nodiscard]] bool may_be_caught() const
+    {
+        return values_ != nullptr && values_->layout().catcher() && !is_caught_;
+    }
+    // The rest of the light is on a shadow catcher, with what it would be without objects and the
+    // world behind it, weight and throughput included.
+    void be_caught(const Color3f& share, const Color3f& bare, const Color3f& behind);
 
     [[nodiscard]] const PathRadiance& seen() const { return seen_; }
 
@@ -90,12 +101,14 @@ private:
              const LightOrigin& origin,
              int bounces,
              const ScatterShares& first);
+    void uncover_matte(float share);
 
     PassValues* values_;
     float clamp_direct_;
     float clamp_indirect_;
     PathRadiance seen_;
     ScatterShares first_;
+    bool is_caught_ = false;
 };
 
 }  // namespace eye_render

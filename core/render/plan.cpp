@@ -108,7 +108,7 @@ void plan_lights(RenderPlan& plan, const SceneData& scene)
 
 }  // namespace
 
-RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
+RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
 {
     RenderPlan plan;
     std::vector<std::size_t> uses(scene.meshes.size(), 0);
@@ -119,7 +119,9 @@ RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes)
         for (const std::size_t material : instance.materials) {
             materials.push_back(&scene.materials[material]);
         }
-        plan.transparent_shadows = plan.transparent_shadows || !instance.visibility.to_shadow;
+        plan.transparent_shadows = plan.transparent_shadows || instance.is_shadow_catcher ||
+                                   !instance.visibility.to_shadow;
+        plan.shadow_catcher = plan.shadow_catcher || instance.is_shadow_catcher;
     }
     plan.placements = scene.instances.size();
     for (const Material* material : materials) {
@@ -168,9 +170,12 @@ std::string RenderPlan::text() const
     out << "lens: " << (lens ? "sampled" : "pinhole") << ", largest blur at most "
         << largest_blur_px << " px; wavelengths: " << (chromatic ? "sampled" : "one")
         << "; Stiles-Crawford: " << (stiles_crawford ? "on" : "off") << '\n';
+    if (shadow_catcher) {
+        out << "shadow catchers: a second path where the camera sees one\n";
+    }
     out << "passes:";
-    for (const Pass pass : passes) {
-        out << ' ' << info(pass).name;
+    for (const PassRequest& pass : passes) {
+        out << ' ' << pass.name();
     }
     return out.str() + '\n';
 }

@@ -30,14 +30,15 @@ struct RenderPlan {
     bool lens = false;                 // false: one ray through the pupil's centre serves
     bool chromatic = false;            // a wavelength for each path, if there is blur to show it
     bool stiles_crawford = false;      // the pupil is weighed, if there is blur to show it
-    std::vector<Pass> passes;
+    bool shadow_catcher = false;       // some object shows only its shadows
+    std::vector<PassRequest> passes;
 
     // One fact a line, for people.
     [[nodiscard]] std::string text() const;
 };
 
 // All of the plan but its lens, which waits for the eye.
-[[nodiscard]] RenderPlan make_plan(const SceneData& scene, std::vector<Pass> passes);
+[[nodiscard]] RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes);
 
 // Adds what the eye shows of the scene: how much it blurs at most, whether that is to be seen, and
 // with it what depends on the point of the pupil.

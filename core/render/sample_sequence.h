@@ -10,6 +10,12 @@ class SampleSequence {
 public:
     SampleSequence(std::uint64_t key, std::uint32_t sample) : key_(key), sample_(sample) {}
 
+    // Other numbers of the same path, for what must not move those that follow.
+    [[nodiscard]] SampleSequence branch(std::uint64_t purpose) const
+    {
+        return {sobol_key(key_, purpose), sample_};
+    }
+
     [[nodiscard]] std::array<float, 4> next() { return sobol_4d(key_, sample_, group_++); }
 
 private:

@@ -27,6 +27,7 @@ Session::Session(RenderJob job, SessionSettings settings)
       film_(job_.frame.border,
             {.passes = job_.passes,
              .chromatic = job_.chromatic,
+             .shadow = settings_.shadow,
              .efficiency = settings_.efficiency,
              .exposure = settings_.exposure})
 {

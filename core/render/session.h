@@ -18,10 +18,11 @@ namespace eye_render {
 
 struct SessionSettings {
     SampleRange samples;
-    std::vector<Pass> passes;
-    std::optional<double> efficiency{};  // as FilmLayout has it
-    double exposure = 1.0;
-    int threads = 0;  // at most; 0: all the processor has
+    std::vector<PassRequest> passes;
+    CaughtShadow shadow = CaughtShadow::OverWorld;  // as FilmLayout has it
+    std::optional<double> efficiency{};             // and this
+    double exposure = 1.0;                          // and this
+    int threads = 0;                                // at most; 0: all the processor has
 };
 
 class Session {

@@ -2,16 +2,69 @@
 
 #pragma once
 
-#include "render/pass_layout.h"
-#include "scene/surface_hit.h"
+#include "render/pass_values.h"
+#include "render/sample_sequence.h"
+#include "scene/scene.h"
 
 namespace eye_render {
 
-// Adds what one surface along the camera's ray tells, by how much of it is seen: `throughput` is
-// what those before it let pass, and what it lets pass itself is left to those behind.
-void note_surface(PassValues& values,
-                  const SurfaceHit& hit,
-                  const ShadedPoint& shaded,
-                  const Color3f& throughput);
+// How the mist thickens from where it begins to where it is full.
+enum class MistFalloff { Quadratic, Linear, InverseQuadratic };
+
+struct SurfacePassSettings {
+    // Distances from the eye, scene units.
+    float mist_start = 5.0f;
+    float mist_depth = 25.0f;
+    MistFalloff mist_falloff = MistFalloff::Quadratic;
+    // What is farther covers nothing of a surface's sky.
+    float occlusion_distance = 10.0f;
+};
+
+// 0 to 1.
+[[nodiscard]] float mist_at(float distance, const SurfacePassSettings& settings);
+
+// A surface along the camera's ray.
+struct SeenSurface {
+    const Scene& scene;
+    const SurfaceHit& hit;
+    const ShadedPoint& shaded;
+    const PathState& path;
+    Color3f throughput;  // what those before it let pass
+};
+
+// What one path tells of the surfaces it meets.
+class SurfacePasses {
+public:
+    // Without `values` nothing is wanted.
+    SurfacePasses(PassValues* values, const SurfacePassSettings& settings);
+
+    // Of the next surface. `sequence` is for this alone.
+    void note(const SeenSurface& seen, SampleSequence sequence)
+    {
+        if (seeks_features_) {
+            note_features(seen);
+        }
+        if (values_ != nullptr && seen.path.depth == 0) {
+            note_seen(seen, sequence);
+        }
+    }
+
+    // Whether note_world must be told what the path that met no more surfaces sees.
+    [[nodiscard]] bool wants_world() const { return seeks_features_; }
+    void note_world(const Color3f& radiance);
+
+private:
+    // What the camera sees, by how much of it: what it lets pass straight is left to what is
+    // behind.
+    void note_seen(const SeenSurface& seen, SampleSequence sequence);
+    // What helps a denoiser: of the first surface along the path that is rough enough to have a
+    // look of its own, in the colour of the mirrors and glasses before it.
+    void note_features(const SeenSurface& seen);
+
+    PassValues* values_;
+    const SurfacePassSettings& settings_;
+    Color3f feature_throughput_{1.0f};
+    bool seeks_features_;
+};
 
 }  // namespace eye_render

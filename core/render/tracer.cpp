@@ -1,7 +1,7 @@
 #include "render/tracer.h"
 
-#include "base/units.h"
 #include "optics/display_primaries.h"
+#include "render/chief_passes.h"
 
 #include <tbb/blocked_range2d.h>
 #include <tbb/info.h>
@@ -65,6 +65,10 @@ PathSample trace_sample(const RenderJob& job,
     PathSample sample;
     sample.x = x;
     sample.y = y;
+    sample.values = values;
+    if (values != nullptr) {
+        values->clear();
+    }
     if (job.lens) {
         sample.pupil_point_m =
             pupil_point(job.pattern, {.pixel_key = key, .number = number, .u = {u[0], u[1]}}) *
@@ -85,44 +89,9 @@ PathSample trace_sample(const RenderJob& job,
     if (camera.fate == RayFate::Transmitted) {
         sample.slope = camera.slope;
         sample.weight *= camera.weight;
-        if (values != nullptr) {
-            values->clear();
-            sample.values = values->channels();
-        }
         sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence, values);
     }
     return sample;
-}
-
-// How far along the viewing axis the ray through the pupil's centre gets; infinity without a hit.
-double chief_depth(const Scene& scene,
-                   const CameraFrame& frame,
-                   const EyeModel& eye,
-                   const V2d& chief_slope)
-{
-    const CameraRay chief = camera_ray(frame, eye, chief_slope, V2d(0.0));
-    if (chief.fate == RayFate::Transmitted) {
-        if (const auto hit = scene.first_visible(chief.ray)) {
-            return chief.depth(static_cast<double>(hit->t));
-        }
-    }
-    return std::numeric_limits<double>::infinity();
-}
-
-// Fills the values of the passes that the chief ray of one pixel tells.
-void trace_chief_ray(const RenderJob& job, const V2d& raster, std::vector<float>& values)
-{
-    const double depth =
-        chief_depth(*job.scene, job.frame, *job.eye, job.frame.chief_slope(raster));
-    const PowerMatrix e = job.eye->error_d(1.0 / (depth * job.frame.metres_per_unit));
-    const auto set = [&](Pass pass, double value) {
-        if (job.passes.has(pass)) {
-            values[static_cast<std::size_t>(job.passes.first(pass))] = static_cast<float>(value);
-        }
-    };
-    set(Pass::Depth, std::min(depth, static_cast<double>(background_depth)));
-    set(Pass::Defocus, e.mean_d());
-    set(Pass::Blur, arcmin_from_rad(job.eye->pupil_diameter_m() * e.largest_magnitude_d()));
 }
 
 }  // namespace
@@ -142,7 +111,7 @@ bool trace_samples(const RenderJob& job,
     return for_each_tile(film, cancelled, [&](FilmTile& tile) {
         const PixelBounds& bounds = tile.bounds();
         PassValues values(job.passes);
-        PassValues* const wanted = job.passes.channels() > 0 ? &values : nullptr;
+        PassValues* const wanted = job.passes.has_values() ? &values : nullptr;
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
                 // Within a pixel all samples or none, so that a cancelled picture has no gaps.
@@ -159,24 +128,20 @@ bool trace_samples(const RenderJob& job,
 
 bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>& cancelled)
 {
+    const ChiefRays rays{.scene = *job.scene,
+                         .frame = job.frame,
+                         .eye = *job.eye,
+                         .least_alpha = job.chief_least_alpha};
     return for_each_tile(film, cancelled, [&](FilmTile& tile) {
         const PixelBounds& bounds = tile.bounds();
         std::vector<float> values(job.passes.chief_channels());
         for (int y = bounds.y0; y < bounds.y1; ++y) {
             for (int x = bounds.x0; x < bounds.x1; ++x) {
-                trace_chief_ray(job, V2d(x + 0.5, y + 0.5), values);
+                trace_chief_ray(rays, V2d(x + 0.5, y + 0.5), job.passes, values);
                 tile.set(x, y, values);
             }
         }
     });
-}
-
-double distance_along_m(const Scene& scene,
-                        const CameraFrame& frame,
-                        const EyeModel& eye,
-                        const V2d& chief_slope)
-{
-    return chief_depth(scene, frame, eye, chief_slope) * frame.metres_per_unit;
 }
 
 }  // namespace eye_render

@@ -34,6 +34,7 @@ struct RenderJob {
     std::optional<StilesCrawford> stiles_crawford{};  // nothing: all of the pupil counts the same
     IntegratorSettings integrator;
     PassLayout passes{};
+    float chief_least_alpha = 0.5f;  // of what the chief rays' passes see
     PixelFilter filter{PixelFilterKind::BlackmanHarris, 1.5};
     std::uint64_t seed = 0;
 };
@@ -50,12 +51,5 @@ bool trace_samples(const RenderJob& job,
 
 // Fills the film's chief samples, one ray a pixel. False if cancelled.
 bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>& cancelled);
-
-// Distance along the viewing axis, in metres, of what the chief ray of slope `chief_slope` meets;
-// infinity when it meets nothing.
-[[nodiscard]] double distance_along_m(const Scene& scene,
-                                      const CameraFrame& frame,
-                                      const EyeModel& eye,
-                                      const V2d& chief_slope);
 
 }  // namespace eye_render

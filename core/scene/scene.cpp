@@ -95,6 +95,8 @@ void Scene::add_placements()
                             .look = instance.look,
                             .visibility = instance.visibility,
                             .is_holdout = instance.is_holdout,
+                            .is_shadow_catcher = instance.is_shadow_catcher,
+                            .matte = instance.matte,
                             .emitters = {}};
         for (const std::size_t material : instance.materials) {
             placement.materials.push_back(&data_.materials[material]);
@@ -105,8 +107,9 @@ void Scene::add_placements()
         for (const Material* material : placement.materials) {
             may_be_transparent_ = may_be_transparent_ || material->surface.may_be_transparent();
         }
-        has_hidden_ = has_hidden_ || !instance.visibility.to_all();
-        may_be_transparent_ = may_be_transparent_ || !instance.visibility.to_shadow;
+        has_hidden_ = has_hidden_ || instance.is_shadow_catcher || !instance.visibility.to_all();
+        may_be_transparent_ =
+            may_be_transparent_ || instance.is_shadow_catcher || !instance.visibility.to_shadow;
         if (placement.is_flat) {
             flat_positions.resize(mesh.positions.size());
             for (std::size_t i = 0; i < flat_positions.size(); ++i) {
@@ -137,7 +140,8 @@ std::optional<SurfaceHit> Scene::intersect(const Ray& ray, const PathState& path
         const Placement& placement = placements_[found->placement];
         SurfaceHit hit =
             make_surface_hit(rest, *found, placement, accelerator_.positions(found->placement));
-        if (!has_hidden_ || placement.visibility.sees(path)) {
+        const bool is_there = !path.sees_catchers_only || placement.is_shadow_catcher;
+        if (!has_hidden_ || (is_there && placement.visibility.sees(path))) {
             hit.t += travelled;
             return hit;
         }
@@ -192,7 +196,15 @@ Color3f Scene::transmittance(const Ray& ray, const PathState& path, int most_pas
     return Color3f(0.0f);
 }
 
-std::optional<SurfaceHit> Scene::first_visible(const Ray& ray) const
+std::optional<V2f> Scene::active_uv(const SurfaceHit& hit) const
+{
+    if (hit.placement->mesh->uv_layers.empty()) {
+        return std::nullopt;
+    }
+    return attributes(hit).uv(HitAttributes::active_uv_layer);
+}
+
+std::optional<SurfaceHit> Scene::first_visible(const Ray& ray, float least_alpha) const
 {
     Ray rest = ray;
     float travelled = 0.0f;
@@ -203,7 +215,7 @@ std::optional<SurfaceHit> Scene::first_visible(const Ray& ray) const
         }
         const Material& material = hit->material();
         if (!material.surface.may_be_transparent() ||
-            luminance(straight_transmittance(*hit, {})) < 0.5f) {
+            1.0f - luminance(straight_transmittance(*hit, {})) >= least_alpha) {
             hit->t += travelled;
             return hit;
         }

@@ -37,6 +37,7 @@ struct IncomingLight {
     bool is_met_by_rays = true;
     bool casts_shadow = true;
     Visibility visibility{};  // for which kinds of scattering it is there
+    bool is_of_catcher = true;  // there, too, where only shadow catchers are: all but objects
 };
 
 // Lamps that a ray meets, to be weighed against sampling them.
@@ -70,8 +71,12 @@ public:
     [[nodiscard]] Color3f straight_transmittance(const SurfaceHit& hit,
                                                  const PathState& path) const;
 
-    // The first surface that is more to be seen than to be seen through.
-    [[nodiscard]] std::optional<SurfaceHit> first_visible(const Ray& ray) const;
+    // The first surface that covers at least that much of what lies behind.
+    [[nodiscard]] std::optional<SurfaceHit> first_visible(const Ray& ray,
+                                                          float least_alpha = 0.5f) const;
+    // By the mesh's active UV map; nothing if it has none.
+    [[nodiscard]] std::optional<V2f> active_uv(const SurfaceHit& hit) const;
+    [[nodiscard]] const ViewFrame& view() const { return frame_.view; }
 
     // The part of the light that passes along the ray: 0 behind an opaque surface, and behind more
     // than that many clear ones. `path` is that of the place it starts from.

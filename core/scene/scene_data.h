@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "base/matte_id.h"
 #include "scene/lamp.h"
 #include "scene/mesh.h"
 #include "scene/textures.h"
@@ -37,6 +38,8 @@ struct InstanceData {
     ObjectLook look{};
     Visibility visibility{};
     bool is_holdout = false;  // cut out of the picture
+    bool is_shadow_catcher = false;
+    MatteIds matte{};
 };
 
 struct LampData {

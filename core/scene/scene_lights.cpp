@@ -162,7 +162,8 @@ std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
                          .distance = distance * (1.0f - shadow_margin),
                          .radiance =
                              emission(emitter, {b.y, 1.0f - b.x - b.y}, -to_light / distance),
-                         .pdf = uniform_triangle_pdf() * distance2 * distance / projected};
+                         .pdf = uniform_triangle_pdf() * distance2 * distance / projected,
+                         .is_of_catcher = emitter.placement->is_shadow_catcher};
 }
 
 float Scene::emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const

@@ -33,6 +33,8 @@ struct Placement {
     ObjectLook look;
     Visibility visibility;
     bool is_holdout = false;
+    bool is_shadow_catcher = false;
+    MatteIds matte;
     std::vector<int>
         emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 

@@ -12,6 +12,23 @@ namespace {
 // The largest float below 1.
 constexpr float below_one = 0x1.fffffep-1f;
 
+// Of lobes that tell a denoiser about their surface: as in Cycles.
+constexpr float smallest_told_alpha = 0.075f;
+
+[[nodiscard]] bool is_rough(const Lobe& lobe)
+{
+    if (!lobe.has_facets()) {
+        return lobe.kind != LobeKind::Straight;
+    }
+    return lobe.alpha_x * lobe.alpha_y > smallest_told_alpha * smallest_told_alpha;
+}
+
+// Towards the viewer.
+[[nodiscard]] V3f visible_side(const Lobe& lobe)
+{
+    return lobe.kind == LobeKind::Translucent ? -lobe.normal : lobe.normal;
+}
+
 }  // namespace
 
 Bsdf::Bsdf(const Bsdf& other) { *this = other; }
@@ -100,6 +117,28 @@ void Bsdf::blur(float least_alpha)
         has_finite_lobe_ |= !shares_[i].is_delta;
         transmits_ |= !shares_[i].is_delta && lobe.transmits();
     }
+}
+
+V3f Bsdf::mean_normal(const V3f& otherwise) const
+{
+    V3f sum(0.0f);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        sum += visible_side(lobes_[i]) * shares_[i].importance;  // zero of a straight passage
+    }
+    return unit_or(sum, otherwise);
+}
+
+BsdfFeatures Bsdf::features() const
+{
+    BsdfFeatures features;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        const bool tells = is_rough(lobes_[i]);
+        const float share = shares_[i].importance / importance_;
+        features.normal += visible_side(lobes_[i]) * share;
+        features.rough_share += tells ? share : 0.0f;
+        (tells ? features.rough_albedo : features.smooth_albedo) += shares_[i].albedo;
+    }
+    return features;
 }
 
 BsdfValue Bsdf::evaluate(const V3f& wi) const

@@ -37,6 +37,15 @@ struct BsdfParts {
     Color3f transmission{0.0f};
 };
 
+// What a mixture tells a denoiser. Lobes narrower than smallest_told_alpha are smooth, and show
+// what lies behind them rather than themselves.
+struct BsdfFeatures {
+    V3f normal{0.0f};  // mean of the lobes'
+    Color3f rough_albedo{0.0f};
+    Color3f smooth_albedo{0.0f};
+    float rough_share = 0.0f;  // of the light that the mixture returns
+};
+
 class Bsdf {
 public:
     // Lobes it holds at most.
@@ -72,6 +81,9 @@ public:
     [[nodiscard]] Color3f albedo() const;
     // What passes straight through.
     [[nodiscard]] Color3f straight() const;
+    // Unit, towards the viewer; `otherwise` where nothing but straight passages has lobes.
+    [[nodiscard]] V3f mean_normal(const V3f& otherwise) const;
+    [[nodiscard]] BsdfFeatures features() const;
 
     // True if next-event estimation has nothing to find: `evaluate` is zero everywhere.
     [[nodiscard]] bool is_delta_only() const { return !has_finite_lobe_; }

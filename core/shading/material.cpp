@@ -58,6 +58,7 @@ Material make_material(std::string name,
 {
     RecordingResources read(resources);
     Material material;
+    material.matte = matte_id(name);
     material.name = std::move(name);
     material.surface = ShaderProgram(graph, surface, displacement, read);
     material.uv_layers.assign(read.uv_layers.begin(), read.uv_layers.end());

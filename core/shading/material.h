@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "base/matte_id.h"
 #include "shading/program.h"
 
 #include <initializer_list>
@@ -15,6 +16,7 @@ struct Material {
     std::string name;
     ShaderProgram surface;
     int pass_index = 0;
+    float matte = no_matte;  // of its name
     // Numbers that the scene gave out, ascending and without repeats.
     std::vector<int> uv_layers;
     std::vector<int> attributes;

@@ -72,7 +72,8 @@ struct PathState {
     bool is_singular = false;
     bool is_reflection = false;
     bool is_transmission = false;
-    float length = 0.0f;  // of the last ray, world units
+    bool sees_catchers_only = false;  // as if there were nothing but shadow catchers
+    float length = 0.0f;              // of the last ray, world units
     // The least density, per unit solid angle, with which it was scattered so far: blurry if
     // small.
     float smallest_pdf = std::numeric_limits<float>::max();

@@ -1,5 +1,6 @@
 """Building blocks of test scenes, and a scene of the core that writes down what it is told."""
 
+import subprocess
 from types import SimpleNamespace
 from typing import NamedTuple
 
@@ -88,6 +89,20 @@ def write_multilayer(scene: bpy.types.Scene, path: str) -> None:
         settings.media_type = "MULTI_LAYER_IMAGE"
     settings.file_format = "OPEN_EXR_MULTILAYER"
     scene.render.filepath = path
+
+
+def layer_pixels(path: str, pass_name: str, channels: str = "RGBA") -> np.ndarray:
+    """(height, width, channels) of a pass in a multilayer file."""
+    found = [f"ViewLayer.{pass_name}.{channel}" for channel in channels]
+    wanted = (found * 4)[:4]
+    alone = f"{path}.{pass_name}.exr"
+    names = ["--ch", ",".join(wanted), "--chnames", "R,G,B,A", "-d", "float", "-o", alone]
+    subprocess.run(["oiiotool", path, *names], check=True)
+    image = bpy.data.images.load(alone)
+    image.alpha_mode = "CHANNEL_PACKED"
+    pixels = np.empty((image.size[1], image.size[0], 4), np.float32)
+    image.pixels.foreach_get(pixels.ravel())
+    return pixels[..., : len(channels)]
 
 
 class RecordingSocket(NamedTuple):

@@ -1,6 +1,7 @@
 import bpy
 import numpy as np
 import pytest
+from eye_render.cryptomatte import MatteNames
 from eye_render.export.image import ImageTable
 from eye_render.export.instances import export_instances
 from eye_render.export.light import LightTable
@@ -28,7 +29,8 @@ def export(depsgraph_of):
         images = ImageTable(core_scene, 1, warn)
         materials = MaterialTable(core_scene, images, None, warn)
         lights = LightTable(core_scene, images, warn)
-        export_instances(core_scene, depsgraph_of(), materials, lights, warn, lambda: None)
+        names = MatteNames(set(), set(), set())
+        export_instances(core_scene, depsgraph_of(), materials, lights, names, warn, lambda: None)
         return core_scene
 
     return run
@@ -198,10 +200,21 @@ def test_a_collection_seen_only_indirectly_is_hidden_from_the_camera(scene, expo
     assert told.hidden_from == ("CAMERA",)
 
 
-def test_a_shadow_catcher_is_named(scene, export):
+def test_a_shadow_catcher_is_one_in_the_core(scene, export):
     add_object(cube_mesh(), "Floor").is_shadow_catcher = True
-    (warning,) = export().warnings
-    assert "Floor" in warning
+    (told,) = export().instances
+    assert told.is_shadow_catcher
+
+
+def test_objects_are_named_only_for_cryptomatte(scene, export):
+    box, lid = add_object(cube_mesh(), "Box"), add_object(cube_mesh(), "Lid")
+    lid.parent = box
+    assert {told.name for told in export().instances} == {""}
+    scene.view_layers[0].use_pass_cryptomatte_asset = True
+    assert {(told.name, told.asset) for told in export().instances} == {
+        ("Box", "Box"),
+        ("Lid", "Box"),
+    }
 
 
 @pytest.fixture
@@ -213,7 +226,8 @@ def properties_of(depsgraph_of):
         images = ImageTable(core_scene, 1, print)
         materials = MaterialTable(core_scene, images, None, print)
         lights = LightTable(core_scene, images, print)
-        export_instances(core_scene, depsgraph_of(), materials, lights, print, lambda: None)
+        names = MatteNames(set(), set(), set())
+        export_instances(core_scene, depsgraph_of(), materials, lights, names, print, lambda: None)
         return [
             {name: values[row].tolist() for name, values in item.attributes.items()}
             for item in core_scene.instances

@@ -9,7 +9,7 @@ def exported(mesh: bpy.types.Mesh, depsgraph_of, core_scene: RecordingScene | No
     """The one mesh that the core is given for an object with this mesh."""
     core_scene = core_scene or RecordingScene()
     shown = add_object(mesh).evaluated_get(depsgraph_of())
-    add_mesh(core_scene, shown.data, [0])
+    add_mesh(core_scene, shown.data, [0], reads_uvs=False)
     return core_scene.meshes[0] if core_scene.meshes else None
 
 

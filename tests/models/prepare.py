@@ -70,7 +70,9 @@ def _choose_output(scene: bpy.types.Scene) -> None:
     for view_layer in scene.view_layers:
         view_layer.use_pass_z = view_layer.use_pass_normal = True
         switches = view_layer.eye_render
-        switches.denoising_store_passes = switches.use_pass_defocus = switches.use_pass_blur = True
+        view_layer.cycles.denoising_store_passes = switches.use_pass_defocus = (
+            switches.use_pass_blur
+        ) = True
 
 
 def _geometry() -> tuple[int, np.ndarray]:

@@ -22,7 +22,7 @@ TEST(Film, averages_by_weight)
     tile.add(sample_at(1, 0, 4.0f, 1.0));
     tile.add(sample_at(1, 0, 1.0f, 2.0));
     film.put(tile);
-    const Pass passes[] = {Pass::Combined};
+    const std::vector<PassRequest> passes{Pass::Combined};
     const auto images = film.snapshot(passes);
     EXPECT_FLOAT_EQ(images[0].pixels[4], 2.0f);
     EXPECT_FLOAT_EQ(images[0].pixels[7], 1.0f);
@@ -35,7 +35,7 @@ TEST(Film, exposure_is_a_factor_of_light_and_not_of_coverage)
     FilmTile tile = film.take({0, 0, 1, 1});
     tile.add(sample_at(0, 0, 4.0f));
     film.put(tile);
-    const Pass passes[] = {Pass::Combined};
+    const std::vector<PassRequest> passes{Pass::Combined};
     const auto images = film.snapshot(passes);
     EXPECT_EQ(images[0].pixels[0], 1.0f);
     EXPECT_EQ(images[0].pixels[3], 1.0f);
@@ -49,7 +49,7 @@ TEST(Film, keeps_earlier_sums_when_a_tile_is_taken_again)
         tile.add(sample_at(7, 8, static_cast<float>(round)));
         film.put(tile);
     }
-    const Pass passes[] = {Pass::Combined};
+    const std::vector<PassRequest> passes{Pass::Combined};
     const std::size_t pixel = 3 * 4 + 2;
     EXPECT_FLOAT_EQ(film.snapshot(passes)[0].pixels[4 * pixel], 1.0f);
 }
@@ -68,7 +68,7 @@ TEST(Film, counts_what_the_eye_did_with_the_rays_and_leaves_the_lost_ones_out)
     EXPECT_EQ(film.fates()[RayFate::Transmitted], 2U);
     EXPECT_EQ(film.fates()[RayFate::Vignetted], 2U);
     EXPECT_EQ(film.fates()[RayFate::Missed], 0U);
-    const Pass passes[] = {Pass::Combined};
+    const std::vector<PassRequest> passes{Pass::Combined};
     EXPECT_EQ(film.snapshot(passes)[0].pixels[0], 3.0f);
 }
 
@@ -81,7 +81,7 @@ TEST(Film, darkens_by_the_eye_s_efficiency_and_by_lost_rays_on_request)
     lost.fate = RayFate::Missed;
     tile.add(lost);
     film.put(tile);
-    const Pass passes[] = {Pass::Combined};
+    const std::vector<PassRequest> passes{Pass::Combined};
     EXPECT_EQ(film.snapshot(passes)[0].pixels, (std::vector<float>{0.5f, 0.5f, 0.5f, 1.0f}));
 }
 
@@ -104,7 +104,7 @@ TEST(Film, pictures_of_parts_merge_by_their_sample_weights)
     for (Film* film : {&second, &whole}) {
         add(*film, 8.0f, V3d(0.25, 1.0, 2.0), 2.0);
     }
-    const Pass passes[] = {Pass::Combined, Pass::SampleWeight};
+    const std::vector<PassRequest> passes{Pass::Combined, Pass::SampleWeight};
     const auto a = first.snapshot(passes);
     const auto b = second.snapshot(passes);
     const auto all = whole.snapshot(passes);
@@ -123,7 +123,7 @@ TEST(Film, pictures_of_parts_merge_by_their_sample_weights)
 
 TEST(Film, shows_chief_samples_as_they_are)
 {
-    const Pass passes[] = {Pass::Depth, Pass::Defocus, Pass::Blur};
+    const std::vector<PassRequest> passes{Pass::Depth, Pass::Defocus, Pass::Blur};
     Film film({0, 0, 1, 1}, {.passes = PassLayout(passes)});
     FilmTile tile = film.take({0, 0, 1, 1});
     tile.set(0, 0, std::array{3.0f, -2.0f, 27.5f});

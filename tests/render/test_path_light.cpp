@@ -9,7 +9,7 @@ namespace {
 
 const V3f up(0.0f, 0.0f, 1.0f);
 
-const std::vector<Pass> all_light{
+const std::vector<PassRequest> all_light{
     Pass::DiffuseDirect,      Pass::DiffuseIndirect,      Pass::GlossyDirect, Pass::GlossyIndirect,
     Pass::TransmissionDirect, Pass::TransmissionIndirect, Pass::VolumeDirect, Pass::VolumeIndirect,
     Pass::Emission,           Pass::Environment};
@@ -24,8 +24,8 @@ Color3f value_of(const PassValues& values, Pass pass)
 Color3f sum_of(const PassValues& values)
 {
     Color3f sum(0.0f);
-    for (const Pass pass : all_light) {
-        sum += value_of(values, pass);
+    for (const PassRequest& request : all_light) {
+        sum += value_of(values, request.pass);
     }
     return sum;
 }

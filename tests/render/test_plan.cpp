@@ -21,7 +21,7 @@ std::unique_ptr<const EyeModel> relaxed_eye(double sphere_d, double pupil_diamet
 
 RenderPlan plan_for(const SceneData& data,
                     double sphere_d,
-                    std::vector<Pass> passes = {Pass::Combined})
+                    std::vector<PassRequest> passes = {Pass::Combined})
 {
     // 256 pixels over a slope of 0.4: 5.4 arcmin a pixel.
     RenderPlan plan = make_plan(data, std::move(passes));

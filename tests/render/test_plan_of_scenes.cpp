@@ -14,7 +14,7 @@ namespace eye_render {
 namespace {
 
 // An eye in focus, and nothing near: neither blur nor lens.
-std::string plan_text(const SceneData& data, std::vector<Pass> passes = {Pass::Combined})
+std::string plan_text(const SceneData& data, std::vector<PassRequest> passes = {Pass::Combined})
 {
     RenderPlan plan = make_plan(data, std::move(passes));
     plan_lens(plan, data, test::frame(256, 0.2),

@@ -120,7 +120,7 @@ TEST(Session, chief_passes_hold_depth_defocus_and_blur)
                         .rx = Prescription{.sphere_d = -3.0},
                         .rx_plane = RxPlane::EntrancePupil,
                         .pupil_diameter_m = 4e-3});
-    const std::vector<Pass> passes{Pass::Depth, Pass::Defocus, Pass::Blur};
+    const std::vector<PassRequest> passes{Pass::Depth, Pass::Defocus, Pass::Blur};
     job.passes = PassLayout(passes);
     Session session(std::move(job), {.samples = {0, 1}, .passes = passes});
     session.start();

@@ -7,6 +7,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
+from .. import cryptomatte, passes
 from .light import LightTable
 from .material import MaterialTable
 from .mesh import add_mesh
@@ -25,6 +26,9 @@ class _Look(NamedTuple):
     materials: tuple[int, ...]
     pass_index: int
     visibility: Visibility
+    # For Cryptomatte, where it is asked for: names keep apart what may be placed together.
+    name: str = ""
+    asset: str = ""
 
 
 class _Group:
@@ -63,10 +67,15 @@ def export_instances(
     depsgraph: bpy.types.Depsgraph,
     materials: MaterialTable,
     lights: LightTable,
+    names: cryptomatte.MatteNames,
     warn: Callable[[str], None],
     check_cancel: Callable[[], None],
 ) -> None:
-    """Add all visible meshes, their instances and the lamps to the core's scene."""
+    """Add all visible meshes, their instances and the lamps to the core's scene; and to `names`
+    theirs, if Cryptomatte asks for them."""
+    view_layer = depsgraph.view_layer_eval
+    has_names = bool(passes.cryptomatte_kinds(view_layer))
+    reads_uvs = passes.needs_uvs(view_layer)
     reader = PropertyReader(depsgraph)
     geometries: dict[int, _Geometry] = {}
     groups: dict[tuple[int, int, int], _Group] = {}
@@ -90,13 +99,17 @@ def export_instances(
                     geometries[address] = _Geometry(shown.data)
                     _warn_of_hair(shown, warn)
                 worn = materials.worn_by(shown)
-                visibility = visibility_of(shown, placer, depsgraph.view_layer_eval)
+                visibility = visibility_of(shown, placer, view_layer)
                 look = _Look(worn, shown.pass_index, visibility)
+                if has_names:
+                    asset = cryptomatte.asset_of(shown)
+                    look = look._replace(name=shown.name, asset=asset)
+                    names.objects.add(shown.name)
+                    names.assets.add(asset)
                 group = groups[key] = geometries[address].groups.setdefault(
                     look,
                     _Group(materials.read_object(worn), materials.properties_read(worn), reader),
                 )
-                _warn_of_shadow_catcher(shown, warn)
             group.append(instance)
         elif shown.type not in _SHOWN_AS_MESH | _NOT_GEOMETRY:
             kind = shown.bl_rna.properties["type"].enum_items[shown.type].name
@@ -104,7 +117,7 @@ def export_instances(
 
     for geometry in geometries.values():
         check_cancel()
-        mesh_id = add_mesh(core_scene, geometry.mesh, geometry.material_ids())
+        mesh_id = add_mesh(core_scene, geometry.mesh, geometry.material_ids(), reads_uvs)
         if mesh_id is None:
             continue
         for look, group in geometry.groups.items():
@@ -131,15 +144,18 @@ def _add_group(
     if group.tells_apart:
         told |= {
             "colors": np.array(group.colors, np.float32)[is_finite],
-            "pass_index": look.pass_index,
             "randoms": np.array(group.randoms, np.float32)[is_finite],
         }
     core_scene.add_instances(
         mesh_id,
         world_from_object[is_finite],
         materials=list(look.materials),
+        pass_index=look.pass_index,
         hidden_from=look.visibility.hidden_from,
         is_holdout=look.visibility.is_holdout,
+        is_shadow_catcher=look.visibility.is_shadow_catcher,
+        name=look.name,
+        asset=look.asset,
         **told,
     )
 
@@ -154,8 +170,3 @@ def _warn_of_hair(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
     for system in shown.particle_systems:
         if system.settings.type == "HAIR" and system.settings.render_type == "PATH":
             warn(f"Hair of '{shown.name}' is left out: hair strands are not supported")
-
-
-def _warn_of_shadow_catcher(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
-    if shown.is_shadow_catcher:
-        warn(f"'{shown.name}' is shown itself: catching shadows alone is not supported")

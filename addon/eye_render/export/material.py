@@ -12,6 +12,8 @@ from .object_properties import is_of_owner
 
 # Nodes by which one object looks other than the next with the same material.
 _OBJECT_READERS = {"OBJECT_INFO"}
+# What Cryptomatte calls the material of what has none, as in Cycles.
+_NAME_OF_NONE = "default_surface"
 
 
 class _Surface(NamedTuple):
@@ -35,6 +37,7 @@ class MaterialTable:
         self._images = images
         self._override = override
         self._warn = warn
+        self.names: set[str] = set()  # of the materials added
         self._ids: dict[str, int] = {}
         self._object_readers: set[int] = set()
 
@@ -62,6 +65,7 @@ class MaterialTable:
         look = _read(material, self._images)
         index = material.pass_index
         name = material.name_full
+        self.names.add(name)
         left_out = look.left_out
         try:
             number = self._core_scene.add_material(
@@ -79,8 +83,9 @@ class MaterialTable:
         return number
 
     def _add_grey(self) -> int:
+        self.names.add(_NAME_OF_NONE)
         diffuse = core.require().NodeGraph().add("BSDF_DIFFUSE")
-        return self._core_scene.add_material("", diffuse["BSDF"])
+        return self._core_scene.add_material(_NAME_OF_NONE, diffuse["BSDF"])
 
 
 def _read(material: bpy.types.Material, images: ImageTable) -> _Surface:

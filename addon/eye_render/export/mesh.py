@@ -7,11 +7,13 @@ from .. import compat
 from .attributes import attributes_at_corners
 
 
-def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int | None:
+def add_mesh(
+    core_scene, mesh: bpy.types.Mesh, material_ids: list[int], reads_uvs: bool
+) -> int | None:
     """Hand the mesh over; None if it has no triangle.
 
     `material_ids` are all materials that some instance of the mesh wears: what none of them
-    reads is not exported.
+    reads is not exported, nor the active UV map unless `reads_uvs` says that a pass does.
     """
     mesh.calc_loop_triangles()
     triangle_count = len(mesh.loop_triangles)
@@ -21,7 +23,8 @@ def add_mesh(core_scene, mesh: bpy.types.Mesh, material_ids: list[int]) -> int |
     mesh.loop_triangles.foreach_get("loops", corners.ravel())
     triangles = compat.corner_vertices(mesh)[corners]
     positions = compat.vertex_positions(mesh)
-    active_uv, uvs = _uvs(mesh, corners, core_scene.uv_layers_read(material_ids))
+    uvs_read = core_scene.uv_layers_read(material_ids) + ([""] if reads_uvs else [])
+    active_uv, uvs = _uvs(mesh, corners, uvs_read)
     return core_scene.add_mesh(
         mesh.name,
         positions,

@@ -1,4 +1,4 @@
-"""Which rays see an object, and whether it is cut out of the picture."""
+"""Which rays see an object, and whether it is cut out of the picture but for its shadows."""
 
 from typing import NamedTuple
 
@@ -16,6 +16,7 @@ _PROPERTIES = {
 class Visibility(NamedTuple):
     hidden_from: tuple[str, ...] = ()
     is_holdout: bool = False
+    is_shadow_catcher: bool = False
 
 
 def visibility_of(
@@ -30,4 +31,5 @@ def visibility_of(
     is_holdout = shown.is_holdout or placer.holdout_get(view_layer=view_layer)
     if not is_holdout and placer.indirect_only_get(view_layer=view_layer):
         hidden.add("CAMERA")
-    return Visibility(tuple(sorted(hidden)), is_holdout)
+    is_catcher = shown.is_shadow_catcher or placer.is_shadow_catcher
+    return Visibility(tuple(sorted(hidden)), is_holdout, is_catcher)

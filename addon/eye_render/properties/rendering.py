@@ -73,21 +73,8 @@ class EyeRenderScene(PropertyGroup):
 
 
 class EyeRenderPasses(PropertyGroup):
-    """The passes that Blender has no switch for."""
+    """The passes that neither Blender nor Cycles has a switch for."""
 
-    denoising_store_passes: BoolProperty(
-        name="Denoising Data",
-        description="Deliver the colour and the normal of surfaces, which the Denoise node of the "
-        "compositor asks for",
-    )
-    use_pass_volume_direct: BoolProperty(
-        name="Volume Direct",
-        description="Deliver the light of lamps that a volume scattered to the eye",
-    )
-    use_pass_volume_indirect: BoolProperty(
-        name="Volume Indirect",
-        description="Deliver the other light that a volume scattered to the eye",
-    )
     use_pass_defocus: BoolProperty(
         name="Defocus",
         description="Deliver the defocus of what each pixel shows, in dioptres, as on the axis",

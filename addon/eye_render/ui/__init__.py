@@ -19,13 +19,14 @@ _REPLACED = {
     "RENDER_PT_freestyle",
     "RENDER_PT_simplify",
     "VIEWLAYER_PT_filter",
-    "VIEWLAYER_PT_layer_passes",
 }
 # Panels that Blender shows for its own engines alone, though they suit any engine.
 _WELCOME = {
     "EEVEE_MATERIAL_PT_context_material",
     "EEVEE_MATERIAL_PT_surface",
     "EEVEE_WORLD_PT_surface",
+    "VIEWLAYER_PT_layer_passes",
+    "VIEWLAYER_PT_layer_passes_cryptomatte",
 }
 
 _classes = (
@@ -42,13 +43,14 @@ _classes = (
 
 
 def _blender_panels() -> list[type]:
-    return [
+    shared = {
         panel
         for panel in bpy.types.Panel.__subclasses__()
-        if hasattr(panel, "COMPAT_ENGINES")
+        if "BLENDER_RENDER" in getattr(panel, "COMPAT_ENGINES", ())
         and panel.__name__ not in _REPLACED
-        and ("BLENDER_RENDER" in panel.COMPAT_ENGINES or panel.__name__ in _WELCOME)
-    ]
+    }
+    welcome = {getattr(bpy.types, name) for name in _WELCOME if hasattr(bpy.types, name)}
+    return sorted(shared | welcome, key=lambda panel: panel.__name__)
 
 
 def register():

@@ -1,4 +1,5 @@
-"""Panels of the rendering itself: Sampling, Light Paths and Film, and the Passes of a view layer.
+"""Panels of the rendering itself: Sampling, Light Paths and Film, and in Blender's panel of a view
+layer's passes those that are switched one by one.
 
 What Cycles has a setting for is that setting here, too.
 """
@@ -72,20 +73,30 @@ class EYE_RENDER_PT_film(RenderTab, Panel):
         roughness.prop(cycles, "film_transparent_roughness", text="Roughness Threshold")
 
 
-class EYE_RENDER_PT_passes(Tab, Panel):
-    bl_label = "Passes"
+class _PassesTab(Tab):
     bl_context = "view_layer"
+    bl_parent_id = "VIEWLAYER_PT_layer_passes"
 
     def draw(self, context):
-        view_layer = context.view_layer
         column = split_column(self.layout)
-        for switch, holder in passes.switches(view_layer).items():
+        for switch, holder in passes.switches(context.view_layer, self.light):
             column.prop(holder, switch)
+
+
+class EYE_RENDER_PT_passes_data(_PassesTab, Panel):
+    bl_label = "Data"
+    light = False
+
+
+class EYE_RENDER_PT_passes_light(_PassesTab, Panel):
+    bl_label = "Light"
+    light = True
 
 
 classes = (
     EYE_RENDER_PT_sampling,
     EYE_RENDER_PT_light_paths,
     EYE_RENDER_PT_film,
-    EYE_RENDER_PT_passes,
+    EYE_RENDER_PT_passes_data,
+    EYE_RENDER_PT_passes_light,
 )

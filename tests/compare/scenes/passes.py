@@ -55,7 +55,7 @@ PASSES = {
     "denoising_normal": ("Denoising normal", "denoising_store_passes", ("Denoising Normal",),
                          {"view": "SIGNED"}),
     "diffuse_direct": ("Direct diffuse light", "use_pass_diffuse_direct",
-                       ("Diffuse Direct", "DiffDir"), {}),
+                       ("Diffuse Direct", "DiffDir"), {"samples": 512}),
     "diffuse_indirect": ("Indirect diffuse light", "use_pass_diffuse_indirect",
                          ("Diffuse Indirect", "DiffInd"), {"samples": 512}),
     "diffuse_color": ("Diffuse colour", "use_pass_diffuse_color",

@@ -1,0 +1,28 @@
+#include "render/passes.h"
+
+namespace eye_render {
+
+std::string PassRequest::name() const
+{
+    std::string text(info(pass).name);
+    if (info(pass).source == PassSource::Coverage) {
+        text += {static_cast<char>('0' + number / 10), static_cast<char>('0' + number % 10)};
+    }
+    return text;
+}
+
+std::optional<PassRequest> pass_named(std::string_view name)
+{
+    for (const PassInfo& entry : pass_table) {
+        const int count = entry.source == PassSource::Coverage ? most_crypto_pictures : 1;
+        for (int number = 0; number < count; ++number) {
+            const PassRequest request(entry.pass, number);
+            if (request.name() == name) {
+                return request;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace eye_render

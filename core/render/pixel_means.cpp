@@ -1,0 +1,79 @@
+#include "render/pixel_means.h"
+
+namespace eye_render {
+
+namespace {
+
+constexpr std::size_t alpha = 3;
+
+}  // namespace
+
+void PixelMeans::write(Pass pass, std::span<float> channels) const
+{
+    if (layout_.passes.catcher() && pass == Pass::Combined) {
+        const CaughtLight light = caught();
+        const auto rgba = layout_.shadow == CaughtShadow::Apart         ? without_shadow(light)
+                          : layout_.shadow == CaughtShadow::OverNothing ? over_nothing(light)
+                                                                        : over_world(light);
+        for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+            channels[channel] = static_cast<float>(rgba[channel]);
+        }
+        return;
+    }
+    for (std::size_t channel = 0; channel < channels.size(); ++channel) {
+        channels[channel] = static_cast<float>(value(pass, channel));
+    }
+}
+
+double PixelMeans::value(Pass pass, std::size_t channel) const
+{
+    switch (pass) {
+    case Pass::SampleWeight: return sample_weight(channel);
+    case Pass::Combined: return combined(channel);
+    case Pass::ShadowCatcher:
+        return layout_.passes.catcher() ? catcher_factor(caught())[static_cast<int>(channel)]
+                                        : 1.0;
+    default: break;
+    }
+    const std::optional<Pass> color = info(pass).divisor;
+    return mean(pass, channel) / (color ? divisor(mean(*color, channel)) : 1.0);
+}
+
+double PixelMeans::mean(Pass pass, std::size_t channel) const
+{
+    const std::size_t sum =
+        FilmLayout::pass_sums + static_cast<std::size_t>(layout_.passes.first(pass)) + channel;
+    return info(pass).source == PassSource::Light ? light(sum, channel) : sums_[sum] / weight();
+}
+
+double PixelMeans::light(std::size_t sum, std::size_t channel) const
+{
+    return layout_.light_scale() * sums_[sum] / divisor(sample_weight(channel));
+}
+
+double PixelMeans::sample_weight(std::size_t channel) const
+{
+    return sums_[channel < alpha ? layout_.weight_of_light(channel) : FilmLayout::weight];
+}
+
+double PixelMeans::combined(std::size_t channel) const
+{
+    const std::size_t sum = FilmLayout::combined + channel;
+    return channel < alpha ? light(sum, channel) : sums_[sum] / weight();
+}
+
+CaughtLight PixelMeans::caught() const
+{
+    const CatcherChannels& catcher = *layout_.passes.catcher();
+    const auto color = [&](std::size_t first) {
+        return V3d(light(first, 0), light(first + 1, 1), light(first + 2, 2));
+    };
+    return {.all = color(FilmLayout::combined),
+            .matte = color(FilmLayout::pass_sums + catcher.matte),
+            .bare = color(FilmLayout::pass_sums + catcher.bare),
+            .behind = color(FilmLayout::pass_sums + catcher.behind),
+            .alpha = combined(alpha),
+            .matte_alpha = sums_[FilmLayout::pass_sums + catcher.matte_alpha] / weight()};
+}
+
+}  // namespace eye_render

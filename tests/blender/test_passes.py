@@ -1,0 +1,167 @@
+"""Passes: what the compositor is offered, and what arrives in files."""
+
+import json
+import re
+import subprocess
+from collections.abc import Callable
+
+import bpy
+import numpy as np
+import pytest
+from eye_render import core, passes
+from scenes import (
+    add_object,
+    cube_mesh,
+    emitter,
+    layer_pixels,
+    node_material,
+    quad_mesh,
+    surface,
+    write_multilayer,
+)
+
+BLENDER_S_SWITCHES = [
+    *("use_pass_z", "use_pass_mist", "use_pass_position", "use_pass_normal", "use_pass_uv"),
+    *("use_pass_object_index", "use_pass_material_index", "use_pass_emit"),
+    *("use_pass_environment", "use_pass_ambient_occlusion"),
+    *(
+        f"use_pass_{lobe}_{part}"
+        for lobe in ("diffuse", "glossy", "transmission")
+        for part in ("direct", "indirect", "color")
+    ),
+    *(f"use_pass_cryptomatte_{kind}" for kind in ("object", "material", "asset")),
+]
+CYCLES_SWITCHES = [
+    *("use_pass_volume_direct", "use_pass_volume_indirect"),
+    *("use_pass_shadow_catcher", "denoising_store_passes"),
+]
+# What Cycles registers besides, and Eye Render does not have.
+ONLY_IN_CYCLES = {"Denoising Depth", "Denoising Specular Albedo", "Denoising Roughness"}
+
+
+class RecordingEngine:
+    def __init__(self):
+        self.rows = []
+
+    def register_pass(self, _scene, _view_layer, name, channels, channel_ids, kind):
+        self.rows.append((name, channels, channel_ids, kind))
+
+
+@pytest.fixture
+def all_passes(scene):
+    view_layer = scene.view_layers[0]
+    for switch in BLENDER_S_SWITCHES:
+        setattr(view_layer, switch, True)
+    for switch in CYCLES_SWITCHES:
+        setattr(view_layer.cycles, switch, True)
+    return view_layer
+
+
+def registered(scene, view_layer) -> list[tuple]:
+    engine = RecordingEngine()
+    passes.register(engine, scene, view_layer)
+    return engine.rows
+
+
+def test_passes_have_the_names_and_channels_that_cycles_gives_them(scene, all_passes):
+    from cycles.engine import list_render_passes
+
+    scene.cycles.use_denoising = False
+    in_cycles = {
+        (name, len(ids), ids, kind) for name, ids, kind in list_render_passes(scene, all_passes)
+    }
+    missing = {row for row in in_cycles if row[0] not in ONLY_IN_CYCLES} - set(
+        registered(scene, all_passes)
+    )
+    assert missing == set()
+
+
+def test_every_pass_of_the_core_has_a_switch_and_none_is_on_by_itself(scene):
+    assert passes.SWITCHES.keys() == {name for name, _, _ in core.module.PASSES} - {"Combined"}
+    assert [name for name, *_ in registered(scene, scene.view_layers[0])] == ["Combined"]
+
+
+def test_cryptomatte_has_a_picture_for_two_things(scene):
+    view_layer = scene.view_layers[0]
+    view_layer.use_pass_cryptomatte_object = True
+    for levels, pictures in ((2, 1), (6, 3), (16, 8)):
+        view_layer.pass_cryptomatte_depth = levels
+        assert len(registered(scene, view_layer)) == 1 + pictures
+
+
+def test_the_sum_of_passes_is_the_picture(scene, all_passes, tmp_path):
+    """Colour times light of each kind, and what nothing scattered."""
+    _still_life(scene)
+    layer = _render(scene, tmp_path)
+    total = layer("Emission") + layer("Environment")
+    total = total + layer("Volume Direct") + layer("Volume Indirect")
+    for lobe in ("Diffuse", "Glossy", "Transmission"):
+        total = total + layer(f"{lobe} Color") * (
+            layer(f"{lobe} Direct") + layer(f"{lobe} Indirect")
+        )
+    combined = layer("Combined")[..., :3]
+    assert combined.min(axis=2).max() > 0.1
+    # Three passes of single precision a kind, and their quotients.
+    assert np.allclose(total, combined, rtol=1e-5, atol=1e-6)
+
+
+def test_mist_is_by_blender_s_formula(scene, tmp_path):
+    view_layer = scene.view_layers[0]
+    view_layer.use_pass_mist = True
+    wall = add_object(quad_mesh(size=10.0))
+    wall.location = (0.0, 0.0, -2.0)
+    mist = _world(scene).mist_settings
+    mist.start, mist.depth, mist.falloff = 1.0, 4.0, "QUADRATIC"
+    scene.camera.data.lens = 500.0  # so that all of the wall is two metres away
+    assert _render(scene, tmp_path)("Mist") == pytest.approx(0.25**2, rel=1e-2)
+
+
+def test_cryptomatte_s_names_are_in_the_file(scene, tmp_path):
+    view_layer = scene.view_layers[0]
+    view_layer.use_pass_cryptomatte_object = True
+    wall = add_object(quad_mesh(size=10.0), "Wall é")
+    wall.location = (0.0, 0.0, -2.0)
+    layer = _render(scene, tmp_path)
+    command = ["oiiotool", "--info", "-v", scene.render.filepath]
+    facts = subprocess.run(command, capture_output=True, text=True, check=True).stdout
+    matte = f"{view_layer.name}.CryptoObject"
+    key = f"cryptomatte/{core.module.murmur3_32(matte):08x}"[:19]
+    assert f'{key}/name: "{matte}"' in facts
+    (manifest,) = re.findall(rf"{key}/manifest: \"(.*)\"\n", facts)
+    number = json.loads(manifest.replace('\\"', '"'))["Wall é"]
+    assert np.frombuffer(bytes.fromhex(number), ">f4")[0] == np.float32(
+        core.module.matte_id("Wall é")
+    )
+    pixel = layer("CryptoObject00")[0, 0]
+    assert pixel[0] == np.float32(core.module.matte_id("Wall é"))
+    assert pixel[1] == pytest.approx(1.0)
+
+
+def _world(scene) -> bpy.types.World:
+    scene.world = bpy.data.worlds.new("World")
+    return scene.world
+
+
+def _still_life(scene) -> None:
+    wall = add_object(quad_mesh(size=10.0))
+    wall.location = (0.0, 0.0, -4.0)
+    for x, kind in ((-0.6, "ShaderNodeBsdfPrincipled"), (0.6, "ShaderNodeBsdfGlass")):
+        mesh = cube_mesh()
+        mesh.materials.append(node_material())
+        surface(mesh.materials[0], kind)
+        box = add_object(mesh)
+        box.location, box.scale = (x, 0.0, -2.0), (0.3, 0.3, 0.3)
+    lamp = quad_mesh(size=0.4)
+    lamp.materials.append(emitter((1.0, 0.5, 0.2)))
+    add_object(lamp).location = (0.0, 0.5, -1.5)
+    _world(scene).color = (0.2, 0.3, 0.4)
+
+
+def _render(scene, tmp_path) -> Callable[[str], np.ndarray]:
+    """What gives the pixels of a pass by its name in the core."""
+    path = str(tmp_path / "passes.exr")
+    write_multilayer(scene, path)
+    scene.render.image_settings.color_depth = "32"
+    bpy.ops.render.render(write_still=True)
+    rows = {row.name: row for row in passes.enabled(scene.view_layers[0])}
+    return lambda name: layer_pixels(path, rows[name].shown, rows[name].channel_ids)
