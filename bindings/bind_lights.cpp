@@ -44,6 +44,7 @@ void add_light(SceneBuilder& scene,
                const py::object& color,
                const std::optional<NodeSocket>& surface,
                const std::vector<std::string>& hidden_from,
+               const std::string& light_group,
                const py::kwargs& settings)
 {
     LampData lamp{.name = name,
@@ -59,6 +60,7 @@ void add_light(SceneBuilder& scene,
         set_lamp_member(lamp.settings, key.cast<std::string>(), value);
     }
     lamp.settings.visibility = visibility_from(hidden_from);
+    lamp.light_group = scene.light_group(light_group);
     if (surface) {
         scene.add_lamp(std::move(lamp), *surface->graph, surface->output);
     } else {
@@ -75,7 +77,7 @@ void bind_lights(SceneClass& scene)
     scene.def(
         "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
         py::kw_only(), "surface"_a = py::none(),
-        "hidden_from"_a = std::vector<std::string>{"CAMERA"},
+        "hidden_from"_a = std::vector<std::string>{"CAMERA"}, "light_group"_a = "",
         "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
         "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
         "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"

@@ -2,6 +2,7 @@
 
 #include "bind_scene.h"
 
+#include <map>
 #include <optional>
 
 namespace eye_render {
@@ -25,11 +26,26 @@ TextureOptions texture_options(const std::string& colorspace,
                 {{"Linear", Interpolation::Linear}, {"Closest", Interpolation::Closest}})};
 }
 
+// Of the graph that `surface` is of, too.
+AovsByName aovs_from(const std::map<std::string, NodeSocket>& sockets,
+                     const std::optional<NodeSocket>& surface)
+{
+    AovsByName aovs;
+    for (const auto& [name, socket] : sockets) {
+        if (!surface || surface->graph != socket.graph) {
+            throw std::invalid_argument("AOV '" + name + "' is of another graph than the surface");
+        }
+        aovs[name] = socket.output;
+    }
+    return aovs;
+}
+
 std::size_t add_material(SceneBuilder& scene,
                          const std::string& name,
                          const std::optional<NodeSocket>& surface,
                          const std::optional<NodeSocket>& displacement,
-                         int pass_index)
+                         int pass_index,
+                         const std::map<std::string, NodeSocket>& aovs)
 {
     const NodeGraph nothing;
     const auto output = [](const std::optional<NodeSocket>& socket) {
@@ -41,14 +57,16 @@ std::size_t add_material(SceneBuilder& scene,
     }
     const std::optional<NodeSocket>& any = surface ? surface : displacement;
     return scene.add_material(name, any ? *any->graph : nothing, output(surface),
-                              output(displacement), pass_index);
+                              output(displacement), pass_index, aovs_from(aovs, any));
 }
 
-void set_world(SceneBuilder& scene, const py::object& surface)
+void set_world(SceneBuilder& scene,
+               const py::object& surface,
+               const std::map<std::string, NodeSocket>& aovs)
 {
     if (py::isinstance<NodeSocket>(surface)) {
         const auto& socket = surface.cast<const NodeSocket&>();
-        scene.set_world(*socket.graph, socket.output);
+        scene.set_world(*socket.graph, socket.output, aovs_from(aovs, socket));
         return;
     }
     NodeGraph graph;
@@ -119,10 +137,11 @@ void bind_materials(SceneClass& scene)
             "Number of a texture from pixels (height, width, 4), uint8 or float32, rows "
             "bottom-up.")
         .def("add_material", &add_material, "name"_a, "surface"_a = py::none(),
-             "displacement"_a = py::none(), "pass_index"_a = 0,
+             "displacement"_a = py::none(), "pass_index"_a = 0, "aovs"_a = py::dict(),
              "Number of a material: outputs of one graph. None is black; displacement is shown as "
              "bump.")
-        .def("set_world", &set_world, "surface"_a,
+        .def("set_world_light_group", &SceneBuilder::set_world_light_group, "name"_a)
+        .def("set_world", &set_world, "surface"_a, "aovs"_a = py::dict(),
              "The light around the scene: an output of a Background node, or one colour.");
 }
 

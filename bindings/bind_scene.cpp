@@ -64,7 +64,8 @@ void add_instances(SceneBuilder& scene,
                    const std::map<std::string, Array<float>>& attributes,
                    bool is_shadow_catcher,
                    const std::string& name,
-                   const std::string& asset)
+                   const std::string& asset,
+                   const std::string& light_group)
 {
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
@@ -88,6 +89,7 @@ void add_instances(SceneBuilder& scene,
         }
     }
     const Visibility visibility = visibility_from(hidden_from);
+    const int group = scene.light_group(light_group);
     for (py::ssize_t i = 0; i < count; ++i) {
         ObjectLook look{.pass_index = pass_index};
         if (colors) {
@@ -111,7 +113,8 @@ void add_instances(SceneBuilder& scene,
                             .visibility = visibility,
                             .is_holdout = is_holdout,
                             .is_shadow_catcher = is_shadow_catcher,
-                            .matte = {.object = matte_id(name), .asset = matte_id(asset)}});
+                            .matte = {.object = matte_id(name), .asset = matte_id(asset)},
+                            .light_group = group});
     }
 }
 
@@ -179,7 +182,7 @@ void bind_scene(py::module_& m)
              "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(),
              "pass_index"_a = 0.0f, "randoms"_a = py::none(), "hidden_from"_a = py::list(),
              "is_holdout"_a = false, "attributes"_a = py::dict(), "is_shadow_catcher"_a = false,
-             "name"_a = "", "asset"_a = "",
+             "name"_a = "", "asset"_a = "", "light_group"_a = "",
              "Places a mesh at each of the matrices (n, 4, 4), one material a slot. For the "
              "Object\n"
              "Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"

@@ -4,6 +4,8 @@
 #include "bind_values.h"
 #include "module.h"
 
+#include <map>
+
 namespace eye_render {
 
 namespace {
@@ -40,7 +42,8 @@ RenderSettings make_settings(std::uint32_t samples,
                              float mist_depth,
                              const std::string& mist_falloff,
                              float occlusion_distance,
-                             float pass_alpha_threshold)
+                             float pass_alpha_threshold,
+                             const std::map<std::string, std::string>& aovs)
 {
     RenderSettings settings;
     settings.samples = samples;
@@ -58,6 +61,12 @@ RenderSettings make_settings(std::uint32_t samples,
             throw std::invalid_argument("pass '" + name + "' does not exist; see eyecore.PASSES");
         }
         settings.passes.push_back(*pass);
+    }
+    for (const auto& [name, kind] : aovs) {
+        settings.passes.emplace_back(
+            named<Pass>("kind of AOV '" + name + "'", kind,
+                        {{"VALUE", Pass::AovValue}, {"COLOR", Pass::AovColor}}),
+            name);
     }
     settings.threads = threads;
     settings.film_transparent = film_transparent;
@@ -122,10 +131,13 @@ void bind_settings(py::module_& m)
 
     py::list passes;
     py::list cryptomatte;
+    py::list named;
     for (const PassInfo& pass : pass_table) {
         const py::tuple row =
             py::make_tuple(std::string(pass.name), pass.channels(), std::string(pass.channel_ids));
-        if (pass.source == PassSource::Coverage) {
+        if (pass.is_named) {
+            named.append(row);
+        } else if (pass.source == PassSource::Coverage) {
             cryptomatte.append(row);
         } else if (pass.pass == Pass::SampleWeight) {
             // Not a picture to look at, but what merges pictures.
@@ -137,6 +149,7 @@ void bind_settings(py::module_& m)
     m.attr("PASSES") = passes;
     m.attr("PIXEL_FILTERS") = names_of(pixel_filter_kinds);
     m.attr("CRYPTOMATTE") = cryptomatte;
+    m.attr("NAMED_PASSES") = named;
     m.def("murmur3_32", &murmur3_32, "text"_a, "MurmurHash3 of the text in UTF-8.");
     m.def("matte_id", &matte_id, "name"_a, "The number of a name in Cryptomatte's pictures.");
     m.attr("STILES_CRAWFORD_MODES") = names_of(stiles_crawford_modes);
@@ -168,6 +181,7 @@ void bind_settings(py::module_& m)
              "mist_depth"_a = SurfacePassSettings{}.mist_depth, "mist_falloff"_a = "QUADRATIC",
              "occlusion_distance"_a = SurfacePassSettings{}.occlusion_distance,
              "pass_alpha_threshold"_a = RenderSettings{}.pass_alpha_threshold,
+             "aovs"_a = std::map<std::string, std::string>{},
              "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
              "all.\n"
              "film_glass_roughness: glass up to this shows a transparent film, too.\n"
@@ -180,7 +194,9 @@ void bind_settings(py::module_& m)
              "LINEAR or INVERSE_QUADRATIC; how far Ambient Occlusion looks; and below what alpha\n"
              "Depth and other passes without blur see through a surface. Cryptomatte's pictures "
              "go\n"
-             "by names such as 'CryptoObject00'.")
+             "by names such as 'CryptoObject00', those of light groups by 'Combined_' and theirs; "
+             "aovs:\n"
+             "{name: 'VALUE' or 'COLOR'} of values that materials write out.")
         .def("__repr__", &settings_text);
 }
 

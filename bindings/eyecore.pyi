@@ -19,6 +19,9 @@ SAMPLE_WEIGHT: tuple[str, int, str]
 # The same of pictures that are named with a number from 00: two things each, the number of each
 # thing's name (`matte_id`) and how much of the pixel it covers.
 CRYPTOMATTE: list[tuple[str, int, str]]
+# The same of pictures that are named after a light group ("Combined_" and its name), or after what
+# materials write out: a number, a colour.
+NAMED_PASSES: list[tuple[str, int, str]]
 EYE_MODELS: list[str]
 RAY_FATES: list[str]  # what becomes of a ray: Eye.rays numbers them
 REFRACTION_ZEROS: list[str]
@@ -249,6 +252,7 @@ class Scene:
         surface: NodeSocket | None = None,
         displacement: NodeSocket | None = None,
         pass_index: int = 0,
+        aovs: Mapping[str, NodeSocket] = ...,
     ) -> int: ...
     def add_mesh(
         self,
@@ -278,6 +282,7 @@ class Scene:
         is_shadow_catcher: bool = False,
         name: str = "",
         asset: str = "",
+        light_group: str = "",
     ) -> None: ...
     def add_light(
         self,
@@ -288,6 +293,7 @@ class Scene:
         *,
         surface: NodeSocket | None = None,
         hidden_from: Sequence[str] = ("CAMERA",),
+        light_group: str = "",
         radius: float = 0.0,
         soft_falloff: bool = True,
         angle_rad: float = 0.0,
@@ -300,7 +306,10 @@ class Scene:
         spread_rad: float = ...,
         casts_shadow: bool = True,
     ) -> None: ...
-    def set_world(self, surface: NodeSocket | Sequence[float]) -> None: ...
+    def set_world(
+        self, surface: NodeSocket | Sequence[float], aovs: Mapping[str, NodeSocket] = ...
+    ) -> None: ...
+    def set_world_light_group(self, name: str) -> None: ...
     def set_camera(
         self,
         world_from_camera: ArrayLike,
@@ -377,6 +386,7 @@ class Settings:
         mist_falloff: str = "QUADRATIC",
         occlusion_distance: float = 10.0,
         pass_alpha_threshold: float = 0.5,
+        aovs: Mapping[str, str] = ...,
     ) -> None: ...
 
 class Session:

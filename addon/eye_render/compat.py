@@ -31,6 +31,11 @@ def node_name(node: bpy.types.Node) -> str:
     return node.name
 
 
+def aov_name(node: bpy.types.ShaderNodeOutputAOV) -> str:
+    """Which value of the view layer's list the node gives."""
+    return node.aov_name if hasattr(node, "aov_name") else node.name  # before Blender 4.0
+
+
 def displacement_method(material: bpy.types.Material) -> str:
     """BUMP, DISPLACEMENT or BOTH."""
     if hasattr(material, "displacement_method"):  # from Blender 4.1

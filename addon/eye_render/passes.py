@@ -96,6 +96,18 @@ def needs_uvs(view_layer: bpy.types.ViewLayer) -> bool:
     return _is_on(view_layer, SWITCHES["UV"])
 
 
+def aovs(view_layer: bpy.types.ViewLayer) -> dict[str, str]:
+    """The values that materials are asked to write out: VALUE or COLOR by name."""
+    return {aov.name: aov.type for aov in view_layer.aovs if aov.is_valid}
+
+
+def _named_rows(view_layer: bpy.types.ViewLayer) -> list[Row]:
+    of_group, of_value, of_color = (Row(*row) for row in core.require().NAMED_PASSES)
+    groups = [of_group._replace(name=of_group.name + g.name) for g in view_layer.lightgroups]
+    of_kind = {"VALUE": of_value, "COLOR": of_color}
+    return groups + [of_kind[kind]._replace(name=name) for name, kind in aovs(view_layer).items()]
+
+
 def enabled(view_layer: bpy.types.ViewLayer) -> list[Row]:
     """What the view layer asks for; and, of a part of the samples, the pass that merges it with
     the others."""
@@ -110,14 +122,17 @@ def enabled(view_layer: bpy.types.ViewLayer) -> list[Row]:
         if name in cryptomatte_kinds(view_layer):
             pictures = -(-things // _THINGS_IN_A_PICTURE)
             rows += [Row(f"{name}{i:02}", channels, channel_ids) for i in range(pictures)]
+    rows += _named_rows(view_layer)
     is_part = batch.overrides.sample_range is not None
     return [*rows, Row(*table.SAMPLE_WEIGHT)] if is_part else rows
 
 
 def settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> dict[str, object]:
     """What the core's settings say about passes."""
+    values = aovs(view_layer)
     result = {
-        "passes": [row.name for row in enabled(view_layer)],
+        "passes": [row.name for row in enabled(view_layer) if row.name not in values],
+        "aovs": values,
         "pass_alpha_threshold": view_layer.pass_alpha_threshold,
     }
     world = compat.world_of(scene, view_layer)

@@ -114,7 +114,9 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     if (settings.stiles_crawford == StilesCrawfordMode::Energy) {
         session.efficiency = cones.effective_area_ratio();
     }
-    job.passes = PassLayout(settings.passes, plan_.shadow_catcher);
+    job.passes = PassLayout(settings.passes, {.has_shadow_catcher = plan_.shadow_catcher,
+                                              .light_groups = data.light_groups,
+                                              .aovs = data.aovs});
     job.chief_least_alpha = settings.pass_alpha_threshold;
     job.integrator = integrator_settings(settings);
     job.integrator.pixel_slope = static_cast<float>(frame.pixel_slope_size().x);

@@ -81,11 +81,13 @@ std::size_t SceneBuilder::add_material(const std::string& name,
                                        const NodeGraph& graph,
                                        const std::optional<NodeOutput>& surface,
                                        const std::optional<NodeOutput>& displacement,
-                                       int pass_index)
+                                       int pass_index,
+                                       const AovsByName& aovs)
 {
     require_unleased();
     SceneResources resources(data_);
-    Material material = make_material(name, graph, surface, displacement, resources);
+    Material material =
+        make_material(name, graph, surface, displacement, resources, numbered(aovs));
     material.pass_index = pass_index;
     data_.materials.push_back(std::move(material));
     return data_.materials.size() - 1;
@@ -135,12 +137,34 @@ void SceneBuilder::add_lamp(LampData lamp,
     data_.lamps.push_back(std::move(lamp));
 }
 
-void SceneBuilder::set_world(const NodeGraph& graph, const std::optional<NodeOutput>& surface)
+void SceneBuilder::set_world(const NodeGraph& graph,
+                             const std::optional<NodeOutput>& surface,
+                             const AovsByName& aovs)
 {
     require_unleased();
     SceneResources resources(data_);
-    data_.world = make_material("world", graph, surface, std::nullopt, resources);
+    data_.world = make_material("world", graph, surface, std::nullopt, resources, numbered(aovs));
     data_.world_sun = sun_above(graph);
+}
+
+std::vector<AovOutput> SceneBuilder::numbered(const AovsByName& aovs)
+{
+    std::vector<AovOutput> outputs;
+    for (const auto& [name, output] : aovs) {
+        outputs.push_back({.number = intern(data_.aovs, name), .output = output});
+    }
+    return outputs;
+}
+
+int SceneBuilder::light_group(const std::string& name)
+{
+    require_unleased();
+    return name.empty() ? no_light_group : intern(data_.light_groups, name);
+}
+
+void SceneBuilder::set_world_light_group(const std::string& name)
+{
+    data_.world_light_group = light_group(name);
 }
 
 void SceneBuilder::set_camera(const CameraFrame& frame)

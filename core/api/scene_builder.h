@@ -6,12 +6,16 @@
 #include "render/camera.h"
 #include "scene/scene_data.h"
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace eye_render {
+
+// Values of a graph to write out for compositors.
+using AovsByName = std::map<std::string, NodeOutput>;
 
 class SceneBuilder {
 public:
@@ -23,7 +27,8 @@ public:
                              const NodeGraph& graph,
                              const std::optional<NodeOutput>& surface,
                              const std::optional<NodeOutput>& displacement = std::nullopt,
-                             int pass_index = 0);
+                             int pass_index = 0,
+                             const AovsByName& aovs = {});
     void add_instance(InstanceData instance);
     // The number of an attribute that some material reads, for properties of instances.
     [[nodiscard]] std::optional<int> attribute_number(const std::string& name) const;
@@ -31,9 +36,15 @@ public:
     void add_lamp(LampData lamp,
                   const NodeGraph& graph = {},
                   const std::optional<NodeOutput>& surface = std::nullopt);
-    void set_world(const NodeGraph& graph, const std::optional<NodeOutput>& surface);
+    void set_world(const NodeGraph& graph,
+                   const std::optional<NodeOutput>& surface,
+                   const AovsByName& aovs = {});
     void set_camera(const CameraFrame& frame);
     [[nodiscard]] TextureSet& textures();
+
+    // The number of a light group; none for the empty name.
+    [[nodiscard]] int light_group(const std::string& name);
+    void set_world_light_group(const std::string& name);
 
     // Names of the layers that the materials read.
     [[nodiscard]] std::vector<std::string> uv_layers_read(
@@ -51,6 +62,7 @@ public:
 
 private:
     void require_unleased() const;
+    [[nodiscard]] std::vector<AovOutput> numbered(const AovsByName& aovs);
     [[nodiscard]] std::vector<const Material*> materials_at(
         const std::vector<std::size_t>& numbers) const;
 

@@ -134,7 +134,7 @@ void Film::write(const PassRequest& request, std::size_t pixel, std::span<float>
 {
     const PassLayout& passes = layout_.passes;
     const PixelMeans means(layout_, sums_.data() + pixel * layout_.stride());
-    const auto first = static_cast<std::size_t>(passes.first(request.pass));
+    const std::size_t first = passes.first(request);
     switch (info(request.pass).source) {
     case PassSource::Chief:
         std::copy_n(chief_.data() + pixel * passes.chief_channels() + first, channels.size(),
@@ -144,7 +144,7 @@ void Film::write(const PassRequest& request, std::size_t pixel, std::span<float>
         mattes_[pixel * passes.matte_kinds() + first].write(
             static_cast<std::size_t>(request.number), means.weight(), channels.first<4>());
         break;
-    default: means.write(request.pass, channels); break;
+    default: means.write(request, channels); break;
     }
 }
 

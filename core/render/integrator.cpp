@@ -56,7 +56,7 @@ public:
             if (path_.transparent_depth > settings_.limits.transparent_bounces) {
                 break;
             }
-            blur(shaded.bsdf);
+            blur_after(path_, settings_.limits, shaded.bsdf);
             if (had_last_bounce(path_, settings_.max_bounces, settings_.limits)) {
                 // The ray after the last bounce only collects what shines by itself, through
                 // whatever lets it pass: light sampling sees through the same surfaces.
@@ -97,22 +97,16 @@ public:
         return light_.seen();
     }
 
-    // As if there were nothing but shadow catchers.
-    PathRadiance trace_catchers(const Ray& camera_ray)
-    {
-        path_.sees_catchers_only = true;
-        return trace(camera_ray);
-    }
-
 private:
     void be_caught(const Ray& camera_ray)
     {
         SampleSequence alike = sequence_;  // so that noise is, too
         PathTracer bare(scene_, settings_, alike, nullptr);
+        bare.path_.sees_catchers_only = true;
         const Color3f behind = settings_.film_transparent
                                    ? Color3f(0.0f)
                                    : scene_.background(camera_ray.direction, path_);
-        light_.be_caught(throughput_, throughput_ * bare.trace_catchers(camera_ray).radiance,
+        light_.be_caught(throughput_, throughput_ * bare.trace(camera_ray).radiance,
                          throughput_ * behind);
     }
 
@@ -124,23 +118,11 @@ private:
         ray = passed_through(ray, hit);
     }
 
-    // Of what the path meets by an unlikely bounce: what is sharp would be noise.
-    void blur(Bsdf& bsdf) const
-    {
-        const float filter = settings_.limits.filter_glossy;
-        if (path_.smallest_pdf < filter) {
-            bsdf.blur(0.5f * std::sqrt(1.0f - path_.smallest_pdf / filter));
-        }
-    }
-
     void scatter(const BsdfSample& sample)
     {
         note_scattering(path_, sample, settings_.limits);
         shows_film_ = shows_film_ && sample.is_transmitted &&
                       sample.alpha_squared <= settings_.clear_alpha_squared;
-        if (!sample.is_delta) {
-            path_.smallest_pdf = std::min(path_.smallest_pdf, sample.pdf);
-        }
     }
 
     void add_lamps(const Ray& ray, float t_end)
@@ -149,7 +131,7 @@ private:
                            [this](const LampContribution& lamp) {
                                light_.add(throughput_ * lamp.radiance *
                                               last_->weight_against(lamp.pdf),
-                                          LightOrigin{}, path_.depth);
+                                          lamp.origin, path_.depth);
                            });
     }
 
@@ -173,22 +155,20 @@ private:
             }
             return;
         }
-        if (passes_.wants_world()) {
-            passes_.note_world(scene_.background(ray.direction, path_));
-        }
+        passes_.note_world(scene_, ray.direction, path_, throughput_);
         const float light_pdf =
             last_->is_delta ? 0.0f : scene_.environment_pdf(ray.direction, last_->point);
         light_.add(throughput_ * scene_.background(ray.direction, path_) *
                        last_->weight_against(light_pdf),
-                   LightOrigin{.is_world = true}, path_.depth);
+                   scene_.world_origin(), path_.depth);
     }
 
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
     {
         if (max_component(emission) > 0.0f) {
             const float light_pdf = last_->is_delta ? 0.0f : scene_.emitter_pdf(hit, last_->point);
-            light_.add(throughput_ * emission * last_->weight_against(light_pdf), LightOrigin{},
-                       path_.depth);
+            light_.add(throughput_ * emission * last_->weight_against(light_pdf),
+                       {.group = hit.placement->light_group}, path_.depth);
         }
     }
 
@@ -223,7 +203,7 @@ private:
                                                  settings_.limits.transparent_bounces -
                                                      path_.transparent_depth);
         }
-        light_.add_lit(contribution, LightOrigin{}, path_.depth + 1, bsdf, light->wi);
+        light_.add_lit(contribution, light->origin, path_.depth + 1, bsdf, light->wi);
     }
 
     bool survives_roulette(float u)

@@ -43,6 +43,9 @@ enum class Pass {
     CryptoObject,
     CryptoMaterial,
     CryptoAsset,
+    LightGroup,
+    AovValue,
+    AovColor,
     SampleWeight,
 };
 
@@ -73,6 +76,8 @@ struct PassInfo {
     // Light that a surface scattered is given without the surface's colour, as Blender has it: the
     // mean of the light over the mean of this pass. Their product is part of Combined, and a mean.
     std::optional<Pass> divisor{};
+    // A picture each for some of the names that the scene gives, the pass's own before them.
+    bool is_named = false;
 
     [[nodiscard]] constexpr std::size_t channels() const { return channel_ids.size(); }
 };
@@ -140,6 +145,23 @@ inline constexpr std::array pass_table{
     PassInfo{Pass::CryptoObject, "CryptoObject", "rgba", PassSource::Coverage},
     PassInfo{Pass::CryptoMaterial, "CryptoMaterial", "rgba", PassSource::Coverage},
     PassInfo{Pass::CryptoAsset, "CryptoAsset", "rgba", PassSource::Coverage},
+    // Of the light of one group of lamps, objects and the world: part of Combined.
+    PassInfo{.pass = Pass::LightGroup,
+             .name = "Combined_",
+             .channel_ids = "RGB",
+             .source = PassSource::Light,
+             .is_named = true},
+    // What materials and the world write out for compositors, where the camera sees them.
+    PassInfo{.pass = Pass::AovValue,
+             .name = "",
+             .channel_ids = "X",
+             .source = PassSource::Surface,
+             .is_named = true},
+    PassInfo{.pass = Pass::AovColor,
+             .name = "",
+             .channel_ids = "RGBA",
+             .source = PassSource::Surface,
+             .is_named = true},
     // By what Combined was divided, channel by channel, and in A the other means: the number of
     // samples, unless wavelengths or points of the pupil count differently. Pictures I of sample
     // ranges, with weights W, make the whole: sum(W I) / sum(W), if I is a mean.
@@ -157,9 +179,11 @@ static_assert(pass_table.size() == pass_count);
 struct PassRequest {
     // NOLINTNEXTLINE(google-explicit-constructor): most passes are one picture
     PassRequest(Pass wanted, int picture = 0) : pass(wanted), number(picture) {}
+    PassRequest(Pass wanted, std::string of) : pass(wanted), label(std::move(of)) {}
 
     Pass pass;
-    int number;  // among the pictures of its pass
+    int number = 0;     // among the pictures of Cryptomatte
+    std::string label;  // of the light group or value
 
     [[nodiscard]] std::string name() const;
 

@@ -59,6 +59,10 @@ void PathLight::add(const Color3f& light,
     if (may_be_caught()) {
         values_->add_at(values_->layout().catcher()->matte, contribution);
     }
+    const int group = values_->layout().light_group(origin.group);
+    if (group != PassLayout::none) {
+        values_->add_at(static_cast<std::size_t>(group), contribution);
+    }
     if (bounces == 0) {
         values_->add(origin.is_world ? Pass::Environment : Pass::Emission, contribution);
     } else if (values_->layout().has_scattered_light()) {

@@ -7,6 +7,7 @@
 
 #include "render/light_path_limits.h"
 #include "render/pass_values.h"
+#include "scene/light_origin.h"
 #include "shading/bsdf.h"
 
 namespace eye_render {
@@ -14,11 +15,6 @@ namespace eye_render {
 struct PathRadiance {
     Color3f radiance{0.0f};
     float alpha = 1.0f;  // below 1 where a transparent film or a holdout shows
-};
-
-// What shines: the world, or a lamp or surface.
-struct LightOrigin {
-    bool is_world = false;
 };
 
 // By what light was scattered, in shares of each channel that add up to 1. What is neither of

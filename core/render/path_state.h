@@ -5,6 +5,7 @@
 #include "render/light_path_limits.h"
 #include "shading/node.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace eye_render {
@@ -21,6 +22,9 @@ inline void note_scattering(PathState& path,
     path.is_reflection = !sample.is_transmitted;
     path.shows_reflections = limits.reflective_caustics || !sample.is_diffuse;
     path.shows_refractions = limits.refractive_caustics || !sample.is_diffuse;
+    if (!sample.is_delta) {
+        path.smallest_pdf = std::min(path.smallest_pdf, sample.pdf);
+    }
     ++path.depth;
     if (sample.is_transmitted) {
         ++path.transmission_depth;
@@ -28,6 +32,14 @@ inline void note_scattering(PathState& path,
         ++path.diffuse_depth;
     } else {
         ++path.glossy_depth;
+    }
+}
+
+// Blurs what the path meets by an unlikely bounce: what is sharp would be noise.
+inline void blur_after(const PathState& path, const LightPathLimits& limits, Bsdf& bsdf)
+{
+    if (path.smallest_pdf < limits.filter_glossy) {
+        bsdf.blur(0.5f * std::sqrt(1.0f - path.smallest_pdf / limits.filter_glossy));
     }
 }
 

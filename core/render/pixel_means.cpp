@@ -8,9 +8,9 @@ constexpr std::size_t alpha = 3;
 
 }  // namespace
 
-void PixelMeans::write(Pass pass, std::span<float> channels) const
+void PixelMeans::write(const PassRequest& request, std::span<float> channels) const
 {
-    if (layout_.passes.catcher() && pass == Pass::Combined) {
+    if (layout_.passes.catcher() && request.pass == Pass::Combined) {
         const CaughtLight light = caught();
         const auto rgba = layout_.shadow == CaughtShadow::Apart         ? without_shadow(light)
                           : layout_.shadow == CaughtShadow::OverNothing ? over_nothing(light)
@@ -21,13 +21,13 @@ void PixelMeans::write(Pass pass, std::span<float> channels) const
         return;
     }
     for (std::size_t channel = 0; channel < channels.size(); ++channel) {
-        channels[channel] = static_cast<float>(value(pass, channel));
+        channels[channel] = static_cast<float>(value(request, channel));
     }
 }
 
-double PixelMeans::value(Pass pass, std::size_t channel) const
+double PixelMeans::value(const PassRequest& request, std::size_t channel) const
 {
-    switch (pass) {
+    switch (request.pass) {
     case Pass::SampleWeight: return sample_weight(channel);
     case Pass::Combined: return combined(channel);
     case Pass::ShadowCatcher:
@@ -35,15 +35,15 @@ double PixelMeans::value(Pass pass, std::size_t channel) const
                                         : 1.0;
     default: break;
     }
-    const std::optional<Pass> color = info(pass).divisor;
-    return mean(pass, channel) / (color ? divisor(mean(*color, channel)) : 1.0);
+    const std::optional<Pass> color = info(request.pass).divisor;
+    return mean(request, channel) / (color ? divisor(mean(*color, channel)) : 1.0);
 }
 
-double PixelMeans::mean(Pass pass, std::size_t channel) const
+double PixelMeans::mean(const PassRequest& request, std::size_t channel) const
 {
-    const std::size_t sum =
-        FilmLayout::pass_sums + static_cast<std::size_t>(layout_.passes.first(pass)) + channel;
-    return info(pass).source == PassSource::Light ? light(sum, channel) : sums_[sum] / weight();
+    const std::size_t sum = FilmLayout::pass_sums + layout_.passes.first(request) + channel;
+    const bool is_light = info(request.pass).source == PassSource::Light;
+    return is_light ? light(sum, channel) : sums_[sum] / weight();
 }
 
 double PixelMeans::light(std::size_t sum, std::size_t channel) const

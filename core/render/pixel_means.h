@@ -15,7 +15,7 @@ public:
     PixelMeans(const FilmLayout& layout, const double* sums) : layout_(layout), sums_(sums) {}
 
     // Fills the channels of a pass that the layout provides for, neither chief nor coverage.
-    void write(Pass pass, std::span<float> channels) const;
+    void write(const PassRequest& request, std::span<float> channels) const;
 
     // Of all samples, never zero.
     [[nodiscard]] double weight() const { return divisor(sums_[FilmLayout::weight]); }
@@ -24,8 +24,8 @@ private:
     // Without samples every sum is 0, and so is every mean.
     static double divisor(double weight) { return weight > 0.0 ? weight : 1.0; }
 
-    [[nodiscard]] double value(Pass pass, std::size_t channel) const;
-    [[nodiscard]] double mean(Pass pass, std::size_t channel) const;
+    [[nodiscard]] double value(const PassRequest& request, std::size_t channel) const;
+    [[nodiscard]] double mean(const PassRequest& request, std::size_t channel) const;
     // Of sum number `sum`, for channel `channel` of a colour.
     [[nodiscard]] double light(std::size_t sum, std::size_t channel) const;
     [[nodiscard]] double sample_weight(std::size_t channel) const;

@@ -22,6 +22,22 @@ constexpr float least_rough_share = 0.25f;
     return {std::min(radiance.x, 1.0f), std::min(radiance.y, 1.0f), std::min(radiance.z, 1.0f)};
 }
 
+void add_aov(PassValues& values,
+             const AovChannels& aov,
+             const std::optional<NodeValue>& value,
+             float coverage)
+{
+    if (!value) {
+        return;
+    }
+    if (aov.is_color) {
+        values.add_at(aov.first, Color3f(*value * coverage));
+        values.add_at(aov.first + 3, coverage);
+    } else {
+        values.add_at(aov.first, value->x * coverage);
+    }
+}
+
 // How much of the sky over the surface is free, by one ray.
 [[nodiscard]] Color3f open_sky(const SeenSurface& seen, float distance, SampleSequence sequence)
 {
@@ -83,6 +99,9 @@ void SurfacePasses::note_seen(const SeenSurface& seen, SampleSequence sequence)
         values.add(Pass::AmbientOcclusion,
                    covered * open_sky(seen, settings_.occlusion_distance, sequence));
     }
+    for (const AovChannels& aov : layout.aovs()) {
+        add_aov(values, aov, seen.scene.aov(aov.number, hit, seen.path), coverage);
+    }
     values.add_matte(Pass::CryptoObject, hit.placement->matte.object, coverage);
     values.add_matte(Pass::CryptoAsset, hit.placement->matte.asset, coverage);
     values.add_matte(Pass::CryptoMaterial, hit.material().matte, coverage);
@@ -105,10 +124,22 @@ void SurfacePasses::note_features(const SeenSurface& seen)
     seeks_features_ = false;
 }
 
-void SurfacePasses::note_world(const Color3f& radiance)
+void SurfacePasses::note_world(const Scene& scene,
+                               const V3f& direction,
+                               const PathState& path,
+                               const Color3f& throughput)
 {
-    values_->add(Pass::DenoisingAlbedo, feature_throughput_ * no_more_than_white(radiance));
-    seeks_features_ = false;
+    if (seeks_features_) {
+        values_->add(Pass::DenoisingAlbedo,
+                     feature_throughput_ * no_more_than_white(scene.background(direction, path)));
+        seeks_features_ = false;
+    }
+    if (values_ == nullptr || path.depth > 0) {
+        return;
+    }
+    for (const AovChannels& aov : values_->layout().aovs()) {
+        add_aov(*values_, aov, scene.world_aov(aov.number, direction, path), mean(throughput));
+    }
 }
 
 }  // namespace eye_render

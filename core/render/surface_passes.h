@@ -49,9 +49,11 @@ public:
         }
     }
 
-    // Whether note_world must be told what the path that met no more surfaces sees.
-    [[nodiscard]] bool wants_world() const { return seeks_features_; }
-    void note_world(const Color3f& radiance);
+    // Of the world, which the path sees where there are no more surfaces.
+    void note_world(const Scene& scene,
+                    const V3f& direction,
+                    const PathState& path,
+                    const Color3f& throughput);
 
 private:
     // What the camera sees, by how much of it: what it lets pass straight is left to what is

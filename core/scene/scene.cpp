@@ -97,6 +97,7 @@ void Scene::add_placements()
                             .is_holdout = instance.is_holdout,
                             .is_shadow_catcher = instance.is_shadow_catcher,
                             .matte = instance.matte,
+                            .light_group = instance.light_group,
                             .emitters = {}};
         for (const std::size_t material : instance.materials) {
             placement.materials.push_back(&data_.materials[material]);
@@ -194,14 +195,6 @@ Color3f Scene::transmittance(const Ray& ray, const PathState& path, int most_pas
         rest = passed_through(rest, *hit);
     }
     return Color3f(0.0f);
-}
-
-std::optional<V2f> Scene::active_uv(const SurfaceHit& hit) const
-{
-    if (hit.placement->mesh->uv_layers.empty()) {
-        return std::nullopt;
-    }
-    return attributes(hit).uv(HitAttributes::active_uv_layer);
 }
 
 std::optional<SurfaceHit> Scene::first_visible(const Ray& ray, float least_alpha) const

@@ -36,14 +36,16 @@ struct IncomingLight {
     // Whether a ray that a BSDF sends this way may find the light too, so that MIS must weigh.
     bool is_met_by_rays = true;
     bool casts_shadow = true;
-    Visibility visibility{};  // for which kinds of scattering it is there
+    Visibility visibility{};    // for which kinds of scattering it is there
     bool is_of_catcher = true;  // there, too, where only shadow catchers are: all but objects
+    LightOrigin origin{};
 };
 
 // Lamps that a ray meets, to be weighed against sampling them.
 struct LampContribution {
     Color3f radiance;
     float pdf = 0.0f;
+    LightOrigin origin;
 };
 
 // Layers of straight transparency that a ray passes before it is given up: enough for foliage, and
@@ -74,6 +76,13 @@ public:
     // The first surface that covers at least that much of what lies behind.
     [[nodiscard]] std::optional<SurfaceHit> first_visible(const Ray& ray,
                                                           float least_alpha = 0.5f) const;
+    // What the material, or the world, writes out under this number; nothing if it does not.
+    [[nodiscard]] std::optional<NodeValue> aov(int number,
+                                               const SurfaceHit& hit,
+                                               const PathState& path) const;
+    [[nodiscard]] std::optional<NodeValue> world_aov(int number,
+                                                     const V3f& direction,
+                                                     const PathState& path) const;
     // By the mesh's active UV map; nothing if it has none.
     [[nodiscard]] std::optional<V2f> active_uv(const SurfaceHit& hit) const;
     [[nodiscard]] const ViewFrame& view() const { return frame_.view; }
@@ -131,9 +140,15 @@ public:
                     .p_lit_world = point.p_world, .wi = direction, .distance = hit->t};
                 visit(LampContribution{
                     hit->radiance * lamp_factor(index, sight, path),
-                    hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point)});
+                    hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point),
+                    {.group = data_.lamps[index].light_group}});
             }
         });
+    }
+
+    [[nodiscard]] LightOrigin world_origin() const
+    {
+        return {.is_world = true, .group = data_.world_light_group};
     }
 
     [[nodiscard]] Color3f background(const V3f& direction, const PathState& path) const

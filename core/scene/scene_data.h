@@ -5,6 +5,7 @@
 
 #include "base/matte_id.h"
 #include "scene/lamp.h"
+#include "scene/light_origin.h"
 #include "scene/mesh.h"
 #include "scene/textures.h"
 #include "scene/visibility.h"
@@ -40,10 +41,12 @@ struct InstanceData {
     bool is_holdout = false;  // cut out of the picture
     bool is_shadow_catcher = false;
     MatteIds matte{};
+    int light_group = no_light_group;
 };
 
 struct LampData {
     std::string name;
+    int light_group = no_light_group;
     LampSettings settings;  // world_from_light is left out of account
     M44d world_from_light;
     // Multiplies its light, where that is not one colour (which is part of the settings).
@@ -61,6 +64,10 @@ struct SceneData {
     // Names behind the layer numbers of materials. The empty name asks for a mesh's first layer.
     std::vector<std::string> uv_layer_names{""};
     std::vector<std::string> attribute_names;
+    // Names behind the numbers of light groups, and of values that materials write out.
+    std::vector<std::string> light_groups;
+    std::vector<std::string> aovs;
+    int world_light_group = no_light_group;
 };
 
 // The layer numbers that some of the materials reads, ascending and without repeats.

@@ -116,7 +116,8 @@ std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
                                   .pdf = sample->pdf,
                                   .is_met_by_rays = !lamp.is_delta && lamp.casts_shadow,
                                   .casts_shadow = lamp.casts_shadow,
-                                  .visibility = lamp.visibility};
+                                  .visibility = lamp.visibility,
+                                  .origin = {.group = data_.lamps[choice->index].light_group}};
         }
         break;
     }
@@ -126,7 +127,8 @@ std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
         light = IncomingLight{.wi = sample.wi,
                               .distance = std::numeric_limits<float>::infinity(),
                               .radiance = sample.radiance,
-                              .pdf = sample.pdf};
+                              .pdf = sample.pdf,
+                              .origin = world_origin()};
         break;
     }
     }
@@ -163,7 +165,8 @@ std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
                          .radiance =
                              emission(emitter, {b.y, 1.0f - b.x - b.y}, -to_light / distance),
                          .pdf = uniform_triangle_pdf() * distance2 * distance / projected,
-                         .is_of_catcher = emitter.placement->is_shadow_catcher};
+                         .is_of_catcher = emitter.placement->is_shadow_catcher,
+                         .origin = {.group = emitter.placement->light_group}};
 }
 
 float Scene::emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const

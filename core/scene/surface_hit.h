@@ -35,6 +35,7 @@ struct Placement {
     bool is_holdout = false;
     bool is_shadow_catcher = false;
     MatteIds matte;
+    int light_group = no_light_group;
     std::vector<int>
         emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 

@@ -1,5 +1,6 @@
 #include "shading/material.h"
 
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -50,17 +51,28 @@ private:
 
 }  // namespace
 
+const ShaderProgram* Material::aov(int number) const
+{
+    const auto found = std::ranges::find(aovs, number, &MaterialAov::number);
+    return found != aovs.end() ? &found->program : nullptr;
+}
+
 Material make_material(std::string name,
                        const NodeGraph& graph,
                        const std::optional<NodeOutput>& surface,
                        const std::optional<NodeOutput>& displacement,
-                       NodeResources& resources)
+                       NodeResources& resources,
+                       const std::vector<AovOutput>& aovs)
 {
     RecordingResources read(resources);
     Material material;
     material.matte = matte_id(name);
     material.name = std::move(name);
     material.surface = ShaderProgram(graph, surface, displacement, read);
+    for (const AovOutput& aov : aovs) {
+        material.aovs.push_back(
+            {.number = aov.number, .program = ShaderProgram::of_value(graph, aov.output, read)});
+    }
     material.uv_layers.assign(read.uv_layers.begin(), read.uv_layers.end());
     material.attributes.assign(read.attributes.begin(), read.attributes.end());
     material.textures.assign(read.textures.begin(), read.textures.end());

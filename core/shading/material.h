@@ -12,6 +12,12 @@
 
 namespace eye_render {
 
+// A value that a material writes out, under the scene's number for its name.
+struct MaterialAov {
+    int number = 0;
+    ShaderProgram program;
+};
+
 struct Material {
     std::string name;
     ShaderProgram surface;
@@ -21,6 +27,15 @@ struct Material {
     std::vector<int> uv_layers;
     std::vector<int> attributes;
     std::vector<int> textures;
+    std::vector<MaterialAov> aovs;
+
+    // Nothing if the material writes out no such value.
+    [[nodiscard]] const ShaderProgram* aov(int number) const;
+};
+
+struct AovOutput {
+    int number = 0;
+    NodeOutput output;
 };
 
 // Throws std::invalid_argument as ShaderProgram does.
@@ -28,7 +43,8 @@ struct Material {
                                      const NodeGraph& graph,
                                      const std::optional<NodeOutput>& surface,
                                      const std::optional<NodeOutput>& displacement,
-                                     NodeResources& resources);
+                                     NodeResources& resources,
+                                     const std::vector<AovOutput>& aovs = {});
 
 // A material of one closure with constant inputs, the others at their defaults.
 [[nodiscard]] Material plain_material(

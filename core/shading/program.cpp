@@ -163,6 +163,12 @@ Color3f ShaderProgram::emission(const Hit& hit) const
     return sum;
 }
 
+NodeValue ShaderProgram::value(const Hit& hit) const
+{
+    ProgramRun run(steps_, value_count_, hit);
+    return run.read(value_);
+}
+
 std::optional<Color3f> ShaderProgram::constant_emission() const
 {
     Color3f sum(0.0f);

@@ -78,12 +78,20 @@ public:
                   const std::optional<NodeOutput>& displacement,
                   NodeResources& resources);
 
+    // One that only has a value, of no kind of socket in particular.
+    [[nodiscard]] static ShaderProgram of_value(const NodeGraph& graph,
+                                                const NodeOutput& output,
+                                                NodeResources& resources);
+
     // All that scatters and shines at the hit.
     [[nodiscard]] ShadedPoint shade(const Hit& hit) const;
     // The part of light that passes straight through, without building the mixture.
     [[nodiscard]] Color3f straight_transmittance(const Hit& hit) const;
     // Radiance towards the viewer, without building the mixture.
     [[nodiscard]] Color3f emission(const Hit& hit) const;
+
+    // Of a program that has one.
+    [[nodiscard]] NodeValue value(const Hit& hit) const;
 
     // True if light may pass straight through some point of the surface.
     [[nodiscard]] bool may_be_transparent() const { return may_be_transparent_; }
@@ -103,6 +111,7 @@ private:
     std::vector<ProgramLeaf> leaves_;
     ProgramInput displacement_;
     bool has_displacement_ = false;
+    ProgramInput value_;
     int value_count_ = 0;
     bool may_be_transparent_ = false;
     bool may_emit_ = false;

@@ -166,4 +166,14 @@ ShaderProgram::ShaderProgram(const NodeGraph& graph,
     }
 }
 
+ShaderProgram ShaderProgram::of_value(const NodeGraph& graph,
+                                      const NodeOutput& output,
+                                      NodeResources& resources)
+{
+    ShaderProgram program;
+    ValueCompiler values(graph, resources, program.steps_, program.value_count_);
+    program.value_ = values.linked(output, SocketType::Color);
+    return program;
+}
+
 }  // namespace eye_render

@@ -173,10 +173,14 @@ class RecordingScene:
             )
         )
 
-    def add_material(self, name, surface=None, displacement=None, pass_index=0):
+    def add_material(self, name, surface=None, displacement=None, pass_index=0, aovs=()):
         self.materials.append(
             SimpleNamespace(
-                name=name, surface=surface, displacement=displacement, pass_index=pass_index
+                name=name,
+                surface=surface,
+                displacement=displacement,
+                pass_index=pass_index,
+                aovs=aovs,
             )
         )
         return len(self.materials) - 1
@@ -196,8 +200,11 @@ class RecordingScene:
         self.textures.append(SimpleNamespace(path=None, name=name, pixels=pixels, **how))
         return len(self.textures) - 1
 
-    def set_world(self, surface):
-        self.world = surface
+    def set_world(self, surface, aovs=()):
+        self.world, self.world_aovs = surface, aovs
+
+    def set_world_light_group(self, name):
+        self.world_light_group = name
 
     def set_camera(self, world_from_camera, slope_bounds, resolution, **rest):
         self.camera = SimpleNamespace(

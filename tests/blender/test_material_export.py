@@ -135,7 +135,7 @@ def test_what_the_core_refuses_is_named_and_grey(table, export, monkeypatch):
     surface(material, "ShaderNodeBsdfGlass")
     add_material = table[1].add_material
 
-    def refuse_glass(name, surface=None, displacement=None, pass_index=0):
+    def refuse_glass(name, surface=None, displacement=None, pass_index=0, aovs=()):
         if surface.node.kind == "BSDF_GLASS":
             raise ValueError("the graph runs in a circle")
         return add_material(name, surface, displacement, pass_index)

@@ -137,6 +137,48 @@ def test_cryptomatte_s_names_are_in_the_file(scene, tmp_path):
     assert pixel[1] == pytest.approx(1.0)
 
 
+def test_a_material_writes_out_what_the_view_layer_asks_for(scene, tmp_path):
+    view_layer = scene.view_layers[0]
+    for name, kind in (("Tone", "COLOR"), ("Weight", "VALUE"), ("Unwritten", "VALUE")):
+        aov = view_layer.aovs.add()
+        aov.name, aov.type = name, kind
+    wall = add_object(quad_mesh(size=10.0))
+    wall.location = (0.0, 0.0, -2.0)
+    material = emitter((1.0, 1.0, 1.0))
+    wall.data.materials.append(material)
+    _write_out(material, "Tone", Color=(0.25, 0.5, 2.0, 1.0))
+    _write_out(material, "Weight", Value=0.5)
+    _write_out(material, "Not asked for", Value=0.5)
+    layer = _render(scene, tmp_path)
+    assert layer("Tone")[0, 0] == pytest.approx([0.25, 0.5, 2.0, 1.0])
+    assert layer("Weight")[0, 0] == pytest.approx(0.5)
+    assert layer("Unwritten")[0, 0] == 0.0
+
+
+def test_light_groups_add_up_to_what_is_in_them(scene, tmp_path):
+    view_layer = scene.view_layers[0]
+    for name in ("objects", "sky"):
+        view_layer.lightgroups.add(name=name)
+    _still_life(scene)
+    scene.world.lightgroup = "sky"
+    for shown in scene.objects:
+        shown.lightgroup = "objects"
+    layer = _render(scene, tmp_path)
+    total = layer("Combined_objects") + layer("Combined_sky")
+    assert layer("Combined_sky").max() > 0.1
+    assert np.allclose(total, layer("Combined")[..., :3], rtol=1e-5, atol=1e-6)
+
+
+def _write_out(material: bpy.types.Material, name: str, **value) -> None:
+    node = material.node_tree.nodes.new("ShaderNodeOutputAOV")
+    if hasattr(node, "aov_name"):
+        node.aov_name = name
+    else:  # before Blender 4.0
+        node.name = name
+    for socket, number in value.items():
+        node.inputs[socket].default_value = number
+
+
 def _world(scene) -> bpy.types.World:
     scene.world = bpy.data.worlds.new("World")
     return scene.world

@@ -250,3 +250,32 @@ def test_sample_ranges_merge_into_the_whole_with_every_pattern(
     assert albedo == pytest.approx(whole_albedo, abs=3 * 2.0**-24)
     assert weight == pytest.approx(whole_weight, rel=2.0**-22)
     assert np.ptp(whole_picture[:, :, 0]) > 0.9, "the edge must show"
+
+
+def test_aovs_and_light_groups_are_delivered_under_their_names() -> None:
+    scene = eyecore.Scene()
+    graph = eyecore.NodeGraph()
+    paint = graph.add("BSDF_DIFFUSE", {"Color": (0.5, 0.5, 0.5)})["BSDF"]
+    tone = graph.add("RGB", value=[0.25, -1.0, 2.0])["Color"]
+    material = scene.add_material("m", paint, aovs={"Tone": tone})
+    mesh = scene.add_mesh("quad", QUAD, TRIANGLES)
+    at = np.eye(4)
+    at[2, 3] = -2.0
+    scene.add_instances(mesh, at[None], materials=[material])
+    scene.set_world((1.0, 1.0, 1.0))
+    scene.set_world_light_group("sky")
+    above = np.eye(4)
+    scene.add_light("l", "POINT", above, (9.0, 9.0, 9.0), light_group="key")
+    scene.set_camera(np.eye(4), (-0.1, 0.1, -0.1, 0.1), (2, 2))
+    settings = eyecore.Settings(
+        samples=4,
+        passes=["Combined", "Combined_key", "Combined_sky"],
+        aovs={"Tone": "COLOR", "Missing": "VALUE"},
+    )
+    images = eyecore.render(scene, eyecore.Observer(pupil=4), settings)
+    assert images["Tone"][0, 0] == pytest.approx([0.25, -1.0, 2.0, 1.0])
+    assert (images["Missing"] == 0.0).all()
+    assert images["Missing"].shape == (2, 2, 1)
+    groups = images["Combined_key"] + images["Combined_sky"]
+    assert images["Combined_key"].max() > 0.0
+    assert groups == pytest.approx(images["Combined"][..., :3], rel=1e-6)

@@ -124,5 +124,23 @@ TEST(PathLight, the_passes_of_every_path_add_up_to_its_radiance)
     }
 }
 
+TEST(PathLight, a_light_group_has_the_light_of_its_lamps_objects_and_world)
+{
+    const PassSubjects subjects{.light_groups = {"lamps", "sky"}};
+    const PassLayout layout({PassRequest(Pass::LightGroup, "sky"),
+                             PassRequest(Pass::LightGroup, "lamps"),
+                             PassRequest(Pass::LightGroup, "nobody's")},
+                            subjects);
+    PassValues values(layout);
+    PathLight light(&values);
+    light.add(Color3f(1.0f), {.group = 0}, 0);
+    light.add(Color3f(2.0f), {.is_world = true, .group = 1}, 2);
+    light.add(Color3f(4.0f), {}, 1);
+    EXPECT_EQ(values.channels()[layout.first(PassRequest(Pass::LightGroup, "lamps"))], 1.0f);
+    EXPECT_EQ(values.channels()[layout.first(PassRequest(Pass::LightGroup, "sky"))], 2.0f);
+    EXPECT_EQ(values.channels()[layout.first(PassRequest(Pass::LightGroup, "nobody's"))], 0.0f);
+    EXPECT_EQ(light.seen().radiance, Color3f(7.0f));
+}
+
 }  // namespace
 }  // namespace eye_render

@@ -34,7 +34,7 @@ TEST(ShadowCatcher, paths_tell_the_light_with_and_without_objects)
     test::place(data, test::square(3.0f), V3d(0, 0, 1), test::diffuse(0.0f));
     data.instances[0].is_shadow_catcher = true;
     const Scene scene(data, V3d(0.0));
-    const PassLayout layout({Pass::ShadowCatcher}, true);
+    const PassLayout layout({Pass::ShadowCatcher}, {.has_shadow_catcher = true});
     PassValues values(layout);
     double bare = 0.0;
     double all = 0.0;

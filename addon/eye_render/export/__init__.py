@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import core
+from .. import core, passes
 from ..cryptomatte import MatteNames
 from .image import ImageTable
 from .instances import export_instances
@@ -25,7 +25,9 @@ def export_scene(
     core_scene = core.require().Scene()
     images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
     view_layer = depsgraph.view_layer_eval
-    materials = MaterialTable(core_scene, images, view_layer.material_override, warn)
+    materials = MaterialTable(
+        core_scene, images, view_layer.material_override, warn, passes.aovs(view_layer)
+    )
     lights = LightTable(core_scene, images, warn)
     names = MatteNames(set(), materials.names, set())
     export_instances(core_scene, depsgraph, materials, lights, names, warn, check_cancel)

@@ -13,7 +13,7 @@ from .material import MaterialTable
 from .mesh import add_mesh
 from .object_properties import PropertyReader
 from .object_random import random_of
-from .visibility import Visibility, visibility_of
+from .visibility import Visibility, light_group_of, visibility_of
 
 # What Blender also lists beside the mesh that it evaluated from it.
 _SHOWN_AS_MESH = {"CURVE", "SURFACE", "FONT", "META"}
@@ -26,6 +26,7 @@ class _Look(NamedTuple):
     materials: tuple[int, ...]
     pass_index: int
     visibility: Visibility
+    light_group: str = ""
     # For Cryptomatte, where it is asked for: names keep apart what may be placed together.
     name: str = ""
     asset: str = ""
@@ -85,8 +86,9 @@ def export_instances(
         shown = instance.object
         placer = instance.parent if instance.is_instance else shown
         if shown.type == "LIGHT":
-            seen = visibility_of(shown, placer, depsgraph.view_layer_eval)
-            lights.add(shown, instance.matrix_world, seen.hidden_from)
+            seen = visibility_of(shown, placer, view_layer)
+            light_group = light_group_of(shown, placer, view_layer)
+            lights.add(shown, instance.matrix_world, seen.hidden_from, light_group)
         elif shown.type == "MESH":
             # The evaluated mesh is shared by the objects that do not modify it, and by nobody
             # else, so its address tells which instances have the same geometry.
@@ -100,7 +102,8 @@ def export_instances(
                     _warn_of_hair(shown, warn)
                 worn = materials.worn_by(shown)
                 visibility = visibility_of(shown, placer, view_layer)
-                look = _Look(worn, shown.pass_index, visibility)
+                light_group = light_group_of(shown, placer, view_layer)
+                look = _Look(worn, shown.pass_index, visibility, light_group)
                 if has_names:
                     asset = cryptomatte.asset_of(shown)
                     look = look._replace(name=shown.name, asset=asset)
@@ -154,6 +157,7 @@ def _add_group(
         hidden_from=look.visibility.hidden_from,
         is_holdout=look.visibility.is_holdout,
         is_shadow_catcher=look.visibility.is_shadow_catcher,
+        light_group=look.light_group,
         name=look.name,
         asset=look.asset,
         **told,

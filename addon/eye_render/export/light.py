@@ -25,7 +25,11 @@ class LightTable:
         self._surfaces: dict[str, object | None] = {}
 
     def add(
-        self, shown: bpy.types.Object, world_from_object: Matrix, hidden_from: tuple[str, ...]
+        self,
+        shown: bpy.types.Object,
+        world_from_object: Matrix,
+        hidden_from: tuple[str, ...],
+        light_group: str = "",
     ) -> None:
         light = shown.data
         if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
@@ -46,6 +50,7 @@ class LightTable:
             tuple(_color_times_energy(light, world_from_object.to_scale())),
             casts_shadow=light.use_shadow,
             hidden_from=hidden_from,
+            light_group=light_group,
             **_shape(light),
             **told,
         )

@@ -1,13 +1,13 @@
 """Materials: the tree at the active output as a graph of the core, each once."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
 import bpy
 
 from .. import compat, core
 from .image import ImageTable
-from .nodes import DIFFUSE, export_sockets, linked_label
+from .nodes import DIFFUSE, aov_sockets, export_sockets, linked_label
 from .object_properties import is_of_owner
 
 # Nodes by which one object looks other than the next with the same material.
@@ -21,6 +21,7 @@ class _Surface(NamedTuple):
     displacement: object | None
     kinds: frozenset[str]
     left_out: list[str]
+    aovs: Mapping[str, object] = {}  # sockets of the same graph
 
 
 class MaterialTable:
@@ -32,11 +33,13 @@ class MaterialTable:
         images: ImageTable,
         override: bpy.types.Material | None,
         warn: Callable[[str], None],
+        aovs: Mapping[str, str] | None = None,
     ):
         self._core_scene = core_scene
         self._images = images
         self._override = override
         self._warn = warn
+        self._aovs = aovs or {}  # what materials are asked to write out: VALUE or COLOR by name
         self.names: set[str] = set()  # of the materials added
         self._ids: dict[str, int] = {}
         self._object_readers: set[int] = set()
@@ -62,14 +65,14 @@ class MaterialTable:
         return self._ids[name]
 
     def _add(self, material: bpy.types.Material) -> int:
-        look = _read(material, self._images)
+        look = _read(material, self._images, self._aovs)
         index = material.pass_index
         name = material.name_full
         self.names.add(name)
         left_out = look.left_out
         try:
             number = self._core_scene.add_material(
-                name, look.surface, look.displacement, pass_index=index
+                name, look.surface, look.displacement, pass_index=index, aovs=look.aovs
             )
         except ValueError as error:  # what the core sees only when all nodes are together
             left_out = [*left_out, str(error)]
@@ -88,7 +91,7 @@ class MaterialTable:
         return self._core_scene.add_material(_NAME_OF_NONE, diffuse["BSDF"])
 
 
-def _read(material: bpy.types.Material, images: ImageTable) -> _Surface:
+def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, str]) -> _Surface:
     if not compat.uses_nodes(material):
         return _plain(material)
     inlined = compat.inline_shader_nodes(material)
@@ -96,7 +99,8 @@ def _read(material: bpy.types.Material, images: ImageTable) -> _Surface:
     if output is None:
         return _Surface(None, None, frozenset(), [])
     sockets = (output.inputs["Surface"], output.inputs["Displacement"])
-    tree = export_sockets(sockets, images, DIFFUSE)
+    written = aov_sockets(inlined.node_tree, aovs)
+    tree = export_sockets(sockets, images, DIFFUSE, written)
     surface, displacement = tree.sockets
     left_out = list(tree.left_out)
     if displacement is not None and compat.displacement_method(material) == "DISPLACEMENT":
@@ -107,7 +111,7 @@ def _read(material: bpy.types.Material, images: ImageTable) -> _Surface:
         if surface is None:
             surface = core.require().NodeGraph().add("BSDF_TRANSPARENT")["BSDF"]
             displacement = None
-    return _Surface(surface, displacement, tree.kinds, left_out)
+    return _Surface(surface, displacement, tree.kinds, left_out, tree.values)
 
 
 def _plain(material: bpy.types.Material) -> _Surface:

@@ -33,3 +33,12 @@ def visibility_of(
         hidden.add("CAMERA")
     is_catcher = shown.is_shadow_catcher or placer.is_shadow_catcher
     return Visibility(tuple(sorted(hidden)), is_holdout, is_catcher)
+
+
+def light_group_of(
+    shown: bpy.types.Object, placer: bpy.types.Object, view_layer: bpy.types.ViewLayer
+) -> str:
+    """The light group that the object is in, or else the one that instances it; empty for none of
+    those that the view layer asks for."""
+    name = shown.lightgroup or placer.lightgroup
+    return name if name in view_layer.lightgroups else ""

@@ -4,9 +4,9 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import compat
+from .. import compat, passes
 from .image import ImageTable
-from .nodes import BACKGROUND, export_sockets, linked_label
+from .nodes import BACKGROUND, aov_sockets, export_sockets, linked_label
 
 _BLACK = (0.0, 0.0, 0.0)
 # The outputs of Light Path that are all one for a ray of the kind. A ray through glass is glossy,
@@ -25,10 +25,13 @@ def export_world(
     images: ImageTable,
     warn: Callable[[str], None],
 ) -> None:
-    world = compat.world_of(depsgraph.scene_eval, depsgraph.view_layer_eval)
+    view_layer = depsgraph.view_layer_eval
+    world = compat.world_of(depsgraph.scene_eval, view_layer)
     if world is None:
         core_scene.set_world(_BLACK)
         return
+    if world.lightgroup in view_layer.lightgroups:
+        core_scene.set_world_light_group(world.lightgroup)
     if not compat.uses_nodes(world):
         core_scene.set_world(tuple(world.color))
         return
@@ -37,7 +40,8 @@ def export_world(
     if output is None:
         core_scene.set_world(_BLACK)
         return
-    tree = export_sockets([output.inputs["Surface"]], images, BACKGROUND)
+    written = aov_sockets(inlined.node_tree, passes.aovs(view_layer))
+    tree = export_sockets([output.inputs["Surface"]], images, BACKGROUND, written)
     left_out = list(tree.left_out)
     volume = linked_label(output.inputs["Volume"])
     if volume:
@@ -47,7 +51,8 @@ def export_world(
         if surface is None:
             core_scene.set_world(_BLACK)
         else:
-            core_scene.set_world(_seen_by_some(tree.graph, surface, world))
+            seen = _seen_by_some(tree.graph, surface, world)
+            core_scene.set_world(seen, aovs=tree.values)
     except ValueError as error:  # what the core sees only when all nodes are together
         left_out.append(str(error))
         core_scene.set_world(tuple(world.color))

@@ -26,7 +26,9 @@ _WELCOME = {
     "EEVEE_MATERIAL_PT_surface",
     "EEVEE_WORLD_PT_surface",
     "VIEWLAYER_PT_layer_passes",
+    "VIEWLAYER_PT_layer_passes_aov",
     "VIEWLAYER_PT_layer_passes_cryptomatte",
+    "VIEWLAYER_PT_layer_passes_lightgroups",
 }
 
 _classes = (

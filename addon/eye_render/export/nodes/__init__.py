@@ -3,7 +3,7 @@
 from .build import BACKGROUND, DIFFUSE, EMISSION
 from .derived import ATTRIBUTES as DERIVED_ATTRIBUTES
 from .named import OWNER_PREFIXES
-from .tree import export_sockets, linked_label
+from .tree import aov_sockets, export_sockets, linked_label
 
 __all__ = [
     "BACKGROUND",
@@ -11,6 +11,7 @@ __all__ = [
     "DIFFUSE",
     "EMISSION",
     "OWNER_PREFIXES",
+    "aov_sockets",
     "export_sockets",
     "linked_label",
 ]

@@ -1,12 +1,14 @@
 """Sockets of a Blender tree to sockets of the core: flattened, then made modern, then built."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 import bpy
 
+from ... import compat
 from ..image import ImageTable
 from .build import GraphBuilder, PlainShader
+from .flat import Node, Output
 from .flatten import TreeReader
 from .versions import modernize
 
@@ -16,20 +18,49 @@ class ExportedTree(NamedTuple):
     sockets: list[object | None]  # of the graph, what feeds each socket asked for
     kinds: frozenset[str]  # of the nodes that the core was given
     left_out: list[str]  # what could not be shown, for a warning
+    values: dict[str, object]  # sockets of the graph that feed what is written out, by name
 
 
 def export_sockets(
-    sockets: Iterable[bpy.types.NodeSocket], images: ImageTable, plain_shader: PlainShader
+    sockets: Iterable[bpy.types.NodeSocket],
+    images: ImageTable,
+    plain_shader: PlainShader,
+    values: Mapping[str, bpy.types.NodeSocket] | None = None,
 ) -> ExportedTree:
-    """One graph with all that these inputs of the tree's output node depend on."""
+    """One graph with all that these inputs of the tree's output node depend on, and the values,
+    linked or set on the socket itself."""
     reader = TreeReader()
+    written = {name: _value_of(reader, socket) for name, socket in (values or {}).items()}
     sources = [reader.read(socket).source for socket in sockets]
     for node in reader.nodes:
         modernize(node)
     builder = GraphBuilder(images, plain_shader)
     built = [builder.add(source) if source else None for source in sources]
+    found = {name: builder.add(source) for name, source in written.items()}
     left_out = list(dict.fromkeys(builder.left_out))
-    return ExportedTree(builder.graph, built, frozenset(builder.kinds), left_out)
+    kinds = frozenset(builder.kinds)
+    return ExportedTree(
+        builder.graph, built, kinds, left_out, {name: out for name, out in found.items() if out}
+    )
+
+
+def aov_sockets(
+    tree: bpy.types.NodeTree, aovs: Mapping[str, str]
+) -> dict[str, bpy.types.NodeSocket]:
+    """The inputs of the tree's AOV Output nodes that a view layer asks for, by name. `aovs` is
+    VALUE or COLOR by name."""
+    nodes = (node for node in tree.nodes if node.type == "OUTPUT_AOV" and not node.mute)
+    named = ((compat.aov_name(node), node) for node in nodes)
+    return {name: node.inputs[aovs[name].capitalize()] for name, node in named if name in aovs}
+
+
+def _value_of(reader: TreeReader, socket: bpy.types.NodeSocket) -> Output:
+    item = reader.read(socket)
+    if item.source is not None:
+        return item.source
+    if isinstance(item.value, tuple):
+        return Node("RGB", "RGB", {"value": list(item.value)}).output("Color", "RGBA")
+    return Node("VALUE", "Value", {"value": item.value}).output("Value", "VALUE")
 
 
 def linked_label(socket: bpy.types.NodeSocket) -> str | None:

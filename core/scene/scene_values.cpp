@@ -1,0 +1,39 @@
+// What a place of the scene is, apart from the light there: for passes of data.
+
+#include "scene/scene.h"
+#include "scene/world_attributes.h"
+
+namespace eye_render {
+
+std::optional<NodeValue> Scene::aov(int number, const SurfaceHit& hit, const PathState& path) const
+{
+    const ShaderProgram* const program = hit.material().aov(number);
+    if (program == nullptr) {
+        return std::nullopt;
+    }
+    const MeshAttributes at = attributes(hit);
+    return program->value({.point = hit.point, .attributes = at, .path = path});
+}
+
+std::optional<NodeValue> Scene::world_aov(int number,
+                                          const V3f& direction,
+                                          const PathState& path) const
+{
+    const ShaderProgram* const program = data_.world.aov(number);
+    if (program == nullptr) {
+        return std::nullopt;
+    }
+    const ShadingPoint point{.wo = -direction, .ng = -direction, .ns = -direction};
+    const WorldAttributes at(direction, frame_);
+    return program->value({.point = point, .attributes = at, .path = path});
+}
+
+std::optional<V2f> Scene::active_uv(const SurfaceHit& hit) const
+{
+    if (hit.placement->mesh->uv_layers.empty()) {
+        return std::nullopt;
+    }
+    return attributes(hit).uv(HitAttributes::active_uv_layer);
+}
+
+}  // namespace eye_render
