@@ -25,7 +25,8 @@ void set_lamp_member(LampSettings& settings, const std::string& name, const py::
                                        {"size_x", &LampSettings::size_x},
                                        {"size_y", &LampSettings::size_y},
                                        {"spread_rad", &LampSettings::spread_rad},
-                                       {"casts_shadow", &LampSettings::casts_shadow}});
+                                       {"casts_shadow", &LampSettings::casts_shadow},
+                                       {"has_own_space", &LampSettings::has_own_space}});
     if (const auto* number = std::get_if<float LampSettings::*>(&member)) {
         settings.** number = value.cast<float>();
     } else if (const auto* flag = std::get_if<bool LampSettings::*>(&member)) {
@@ -81,7 +82,8 @@ void bind_lights(SceneClass& scene)
         "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
         "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
         "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"
-        "casts_shadow. surface: an output of an Emission node, which multiplies the colour;\n"
+        "casts_shadow, has_own_space (for its nodes). surface: an output of an Emission node, "
+        "which multiplies the colour;\n"
         "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION rays.");
 }
 

@@ -305,6 +305,7 @@ class Scene:
         size_y: float = 1.0,
         spread_rad: float = ...,
         casts_shadow: bool = True,
+        has_own_space: bool = True,
     ) -> None: ...
     def set_world(
         self, surface: NodeSocket | Sequence[float], aovs: Mapping[str, NodeSocket] = ...

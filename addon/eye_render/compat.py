@@ -57,6 +57,9 @@ def light_factor(light: bpy.types.Light) -> tuple[np.ndarray, bool]:
     return factor, getattr(light, "normalize", True)
 
 
+# Before 4.4, nodes of a lamp find the world's coordinates where they ask for the object's.
+LIGHTS_HAVE_OWN_SPACE = bpy.app.version >= (4, 4, 0)
+
 # Before 4.0, Cycles dims a spot by the cosine of the angle from its axis.
 SPOTS_HAVE_COSINE_FALLOFF = bpy.app.version < (4, 0, 0)
 

@@ -39,6 +39,9 @@ struct LampSettings {
     float spread_rad = 3.1415927f;  // area: full angle that its honeycomb grid lets through
     bool casts_shadow = true;
     Visibility visibility{.to_camera = false};  // to what scatters its light
+    // Its nodes find the lamp's own space where they ask for an object's; else the world, as
+    // before Blender 4.4.
+    bool has_own_space = true;
 };
 
 // A lamp as the queries below want it. Plain data; `make_lamp` derives it.

@@ -1,11 +1,24 @@
 #include "scene/lamp_attributes.h"
 
+#include "scene/transform.h"
 #include "shading/object_space.h"
 #include "shading/picture_coordinates.h"
 
 #include <cmath>
 
 namespace eye_render {
+
+LampSpace::LampSpace(const M44d& world_from_light, bool has_own_space)
+    : is_of_object(has_own_space)
+{
+    M44d matrix = world_from_light;
+    if (!is_of_object) {
+        matrix[3][0] = matrix[3][1] = matrix[3][2] = 0.0;
+    }
+    facts = {.world_from_object = to_float(matrix),
+             .object_from_world = to_float(matrix.inverse()),
+             .color = Color4f(0.0f)};
+}
 
 ShadingPoint LampAttributes::shading_point() const
 {
@@ -19,6 +32,11 @@ V3f LampAttributes::position_world() const
         return -sight_.wi;  // it has no place: Cycles' choice
     }
     return {V3d(lamp_.position + to_place()) + frame_.eye_position_world};
+}
+
+V3f LampAttributes::position_object() const
+{
+    return space_.is_of_object ? position_world() * facts_.object_from_world : position_world();
 }
 
 V3f LampAttributes::smooth_normal() const
@@ -70,8 +88,8 @@ V2f LampAttributes::uv_of_area() const
     // A mirrored lamp shows its picture mirrored.
     const M44f& m = facts_.world_from_object;
     const float side = lamp_.axis_y.dot({m[1][0], m[1][1], m[1][2]}) < 0.0f ? -1.0f : 1.0f;
-    return V2f(0.5f * from_center.dot(lamp_.axis_x) / lamp_.half_x + 0.5f,
-               0.5f * from_center.dot(lamp_.axis_y) * side / lamp_.half_y + 0.5f);
+    return {0.5f * from_center.dot(lamp_.axis_x) / lamp_.half_x + 0.5f,
+            0.5f * from_center.dot(lamp_.axis_y) * side / lamp_.half_y + 0.5f};
 }
 
 // Equal areas of the disk for equal solid angles.

@@ -1,9 +1,7 @@
 // What the nodes of a lamp see: a place of the lamp, looked at from the point that it lights.
 //
-// As in Cycles, positions are those of the world also where nodes ask for the object's own or for
-// generated ones; directions are the lamp's own. The normal is the lamp's surface's, or points to
-// what is lit where the lamp has none. UVs lay a picture on an area lamp, the sun's disk and a
-// spot's cone, and around a point lamp.
+// The normal is the lamp's surface's, or points to what is lit where the lamp has none. UVs lay a
+// picture on an area lamp, the sun's disk and a spot's cone, and around a point lamp.
 
 #pragma once
 
@@ -18,22 +16,30 @@ struct LampSight {
     float distance = 0.0f;  // to the place of the lamp; infinite for the sun
 };
 
+// The lamp as nodes know it: as an object, or, as before Blender 4.4, as directions alone.
+struct LampSpace {
+    ObjectFacts facts;
+    bool is_of_object = true;
+
+    LampSpace(const M44d& world_from_light, bool has_own_space);
+};
+
 class LampAttributes final : public HitAttributes {
 public:
-    // All must outlive it. `facts` are of the lamp's object.
+    // All must outlive it.
     LampAttributes(const Lamp& lamp,
-                   const ObjectFacts& facts,
+                   const LampSpace& space,
                    const LampSight& sight,
                    const SceneFrame& frame)
-        : lamp_(lamp), facts_(facts), sight_(sight), frame_(frame)
+        : lamp_(lamp), space_(space), facts_(space.facts), sight_(sight), frame_(frame)
     {
     }
 
     [[nodiscard]] ShadingPoint shading_point() const;
 
     [[nodiscard]] V3f position_world() const override;
-    [[nodiscard]] V3f position_object() const override { return position_world(); }
-    [[nodiscard]] V3f generated() const override { return position_world(); }
+    [[nodiscard]] V3f position_object() const override;
+    [[nodiscard]] V3f generated() const override { return position_object(); }
     // Nothing but the active layer is there.
     [[nodiscard]] V2f uv(int uv_layer) const override;
     [[nodiscard]] TangentFrame tangent(int /*uv_layer*/) const override { return {}; }
@@ -67,6 +73,7 @@ private:
     [[nodiscard]] V2f uv_of_sun() const;
 
     const Lamp& lamp_;
+    const LampSpace& space_;
     const ObjectFacts& facts_;
     const LampSight& sight_;
     const SceneFrame& frame_;

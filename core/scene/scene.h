@@ -190,9 +190,9 @@ private:
     std::vector<Placement> placements_;
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;
-    std::vector<ObjectFacts> lamp_facts_;  // one a lamp
-    LampTree visible_lamps_;               // those that rays may meet
-    LampTree camera_lamps_;                // and those of them that the camera sees
+    std::vector<LampSpace> lamp_spaces_;  // one a lamp
+    LampTree visible_lamps_;              // those that rays may meet
+    LampTree camera_lamps_;               // and those of them that the camera sees
     Environment environment_;
     LightSampler light_sampler_;
     bool may_be_transparent_ = false;  // some material or object lets light straight through

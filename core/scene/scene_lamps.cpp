@@ -18,9 +18,7 @@ void Scene::add_lamps()
         settings.world_from_light =
             to_float(relative_to_eye(data.world_from_light, frame_.eye_position_world));
         lamps_.push_back(make_lamp(settings));
-        lamp_facts_.push_back({.world_from_object = to_float(data.world_from_light),
-                               .object_from_world = to_float(data.world_from_light.inverse()),
-                               .color = Color4f(0.0f)});
+        lamp_spaces_.emplace_back(data.world_from_light, settings.has_own_space);
         Lamp& lamp = lamps_.back();
         lamp.brightness = brightest_factor(index);
         // Rays would lose a lamp without shadows behind what it shines through: sampling alone
@@ -44,7 +42,7 @@ Color3f Scene::lamp_factor(std::uint32_t index,
     if (!nodes) {
         return Color3f(1.0f);
     }
-    const LampAttributes at(lamps_[index], lamp_facts_[index], sight, frame_);
+    const LampAttributes at(lamps_[index], lamp_spaces_[index], sight, frame_);
     const ShadingPoint point = at.shading_point();
     PathState met = path;
     met.length = sight.distance;

@@ -122,6 +122,7 @@ private:
 [[nodiscard]] std::vector<float> in_radians(const std::vector<double>& angles_deg)
 {
     std::vector<float> angles;
+    angles.reserve(angles_deg.size());
     for (const double angle : angles_deg) {
         angles.push_back(static_cast<float>(angle * std::numbers::pi / 180.0));
     }

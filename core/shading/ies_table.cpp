@@ -41,7 +41,7 @@ void mirror_about_last(IesTable& table)
     const double twice_last = 2.0 * angles.back();
     for (std::size_t i = angles.size() - 1; i-- > 0;) {
         angles.push_back(twice_last - angles[i]);
-        table.watts.push_back(Row(table.watts[i]));
+        table.watts.push_back(table.watts[i]);
     }
 }
 
@@ -57,7 +57,7 @@ void arrange_type_c(IesTable& table)
     }
     if (angles.size() == 1) {
         angles = {0.0, 360.0};
-        table.watts.push_back(Row(table.watts.front()));
+        table.watts.push_back(table.watts.front());
     }
     for (const double last_deg : {90.0, 180.0}) {
         if (is_close(angles.back(), last_deg)) {
@@ -70,7 +70,7 @@ void arrange_type_c(IesTable& table)
     if (is_close(angles.front(), 0.0) && gap > 1e-4 &&
         (is_close(gap, angles[1] - angles[0]) || is_close(gap, angles[last] - angles[last - 1]))) {
         angles.push_back(360.0);
-        table.watts.push_back(Row(table.watts.front()));
+        table.watts.push_back(table.watts.front());
     }
 }
 

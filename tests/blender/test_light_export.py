@@ -195,6 +195,10 @@ def test_a_broken_profile_is_named_with_what_is_wrong(tree_lamp, monkeypatch):
     assert "TILT=" in warning
 
 
+def test_a_lamp_has_its_own_space_where_blender_gives_it_one(export):
+    assert export("POINT").has_own_space == (bpy.app.version >= (4, 4, 0))
+
+
 def test_what_rays_do_not_see_of_a_lamp_goes_along(tree_lamp):
     assert exported_tree(("CAMERA", "DIFFUSE"))[0].hidden_from == ("CAMERA", "DIFFUSE")
 

@@ -262,3 +262,23 @@ def test_a_sky_of_blender_5_says_dust_and_names_what_it_loses():
     modernize(node)
     assert node.options == {"sky_type": "SINGLE_SCATTERING", "dust_density": 2.0}
     assert len(node.notes) == 1
+
+
+@pytest.mark.parametrize(("owner", "prefix"), [("OBJECT", "object"), ("INSTANCER", "instancer")])
+def test_an_attribute_of_an_owner_is_read_under_a_name_of_its_own(owner, prefix):
+    node = Node("ATTRIBUTE", "Tone", {"attribute_type": owner, "attribute_name": "tone"})
+    modernize(node)
+    assert node.options == {"attribute_name": f".eye_render.{prefix}.tone"}
+    layer = Node("ATTRIBUTE", "Tone", {"attribute_type": "GEOMETRY", "attribute_name": "tone"})
+    modernize(layer)
+    assert layer.options["attribute_name"] == "tone"
+
+
+@pytest.mark.parametrize(
+    ("distance", "source", "notes"), [(0.0, None, 1), (1.0, None, 0), (0.0, SOURCE, 0)]
+)
+def test_occlusion_as_far_as_the_world_says_is_named(distance, source, notes):
+    node = Node("AMBIENT_OCCLUSION", "Ambient Occlusion")
+    node.inputs["Distance"] = number(distance, source)
+    modernize(node)
+    assert len(node.notes) == notes

@@ -70,12 +70,12 @@ TEST(LampNodes, multiply_the_light_of_the_lamp)
     EXPECT_EQ(with->radiance.z, 0.0f);
 }
 
-TEST(LampNodes, see_directions_of_the_lamp_and_places_of_the_world)
+TEST(LampNodes, see_directions_of_the_lamp_and_places_of_it)
 {
     const V3d place(1, -2, 4);
     const LampSettings settings{.color = Color3f(100.0f)};
     const V3f wi = V3f(place).normalized();
-    const float intensity = 100.0f / (4.0f * float(M_PI) * 21.0f);
+    const float intensity = 100.0f / (4.0f * float(pi) * 21.0f);
     // Incoming points to what is lit; negative parts shine not at all.
     const auto incoming = light_of(lamp_at(place, settings, showing("NEW_GEOMETRY", "Incoming")));
     ASSERT_TRUE(incoming);
@@ -88,11 +88,28 @@ TEST(LampNodes, see_directions_of_the_lamp_and_places_of_the_world)
     // The lamp's own directions: turned by a quarter about z, its x axis points along y.
     LampData turned = lamp_at(place, settings, showing("TEX_COORD", "Normal"));
     M44d turn;
-    turn.setAxisAngle(V3d(0, 0, 1), 0.5 * M_PI);
+    turn.setAxisAngle(V3d(0, 0, 1), 0.5 * pi);
     turned.world_from_light = turn * turned.world_from_light;
     const auto normal = light_of(turned);
     ASSERT_TRUE(normal);
     EXPECT_NEAR(normal->radiance.x, -wi.y * intensity, 1e-5f);
+}
+
+// Blender 4.3.2 and 5.2.2 show so.
+TEST(LampNodes, see_their_own_coordinates_or_as_before_blender_4_4_the_worlds)
+{
+    LampSettings settings{.color = Color3f(1000.0f)};
+    const auto red = [&](std::string_view kind, std::string_view output) {
+        const auto light = light_of(lamp_at({1, 2, 4}, settings, showing(kind, output)));
+        return light ? light->radiance.x / (1000.0f / (4.0f * float(pi) * 21.0f)) : 0.0f;
+    };
+    EXPECT_NEAR(red("TEX_COORD", "Object"), 0.0f, 1e-5f);
+    EXPECT_NEAR(red("TEX_COORD", "Generated"), 0.0f, 1e-5f);
+    EXPECT_NEAR(red("OBJECT_INFO", "Location"), 1.0f, 1e-5f);
+    settings.has_own_space = false;
+    EXPECT_NEAR(red("TEX_COORD", "Object"), 1.0f, 1e-5f);
+    EXPECT_NEAR(red("TEX_COORD", "Generated"), 1.0f, 1e-5f);
+    EXPECT_NEAR(red("OBJECT_INFO", "Location"), 0.0f, 1e-5f);
 }
 
 TEST(LampNodes, length_of_the_ray_is_the_distance_so_that_falloff_can_be_undone)
@@ -185,12 +202,11 @@ V2f uv_seen(const LampSettings& settings, const M44d& world_from_light, const V3
     LampSettings placed = settings;
     placed.world_from_light = M44f(world_from_light);
     const Lamp lamp = make_lamp(placed);
-    const ObjectFacts facts{.world_from_object = M44f(world_from_light),
-                            .object_from_world = M44f(world_from_light.inverse())};
+    const LampSpace space(world_from_light, true);
     const auto hit = lamp_hit(lamp, V3f(0.0f), wi, infinity);
     const LampSight sight{.wi = wi, .distance = hit ? hit->t : 2.0f};
     const SceneFrame frame;
-    return LampAttributes(lamp, facts, sight, frame).uv(HitAttributes::active_uv_layer);
+    return LampAttributes(lamp, space, sight, frame).uv(HitAttributes::active_uv_layer);
 }
 
 TEST(LampNodes, uvs_lay_a_picture_on_an_area_lamp_and_on_the_cone_of_a_spot)

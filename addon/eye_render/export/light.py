@@ -49,6 +49,7 @@ class LightTable:
             np.array(world_from_object),
             tuple(_color_times_energy(light, world_from_object.to_scale())),
             casts_shadow=light.use_shadow,
+            has_own_space=compat.LIGHTS_HAVE_OWN_SPACE,
             hidden_from=hidden_from,
             light_group=light_group,
             **_shape(light),

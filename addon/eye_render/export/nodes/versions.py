@@ -13,6 +13,7 @@ from .flat import Input, Node
 from .musgrave import musgrave_to_noise
 from .named import OWNER_PREFIXES, name_owner
 from .normals import flip_green
+from .occlusion import note_global_distance
 from .principled import (
     RENAMED_INPUTS,
     color_specular_tint,
@@ -109,6 +110,7 @@ ROWS = (
         Row("ATTRIBUTE", with_option=("attribute_type", owner), convert=name_owner)
         for owner in OWNER_PREFIXES
     ),
+    Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
     _walk("SUBSURFACE_SCATTERING", "falloff", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
