@@ -11,7 +11,8 @@ namespace {
 
 TextureOptions texture_options(const std::string& colorspace,
                                const std::string& extension,
-                               const std::string& interpolation)
+                               const std::string& interpolation,
+                               const std::string& alpha)
 {
     return {.colorspace = named<Colorspace>("colorspace", colorspace,
                                             {{"sRGB", Colorspace::Srgb},
@@ -21,9 +22,14 @@ TextureOptions texture_options(const std::string& colorspace,
                                           {{"REPEAT", Extension::Repeat},
                                            {"EXTEND", Extension::Extend},
                                            {"CLIP", Extension::Clip}}),
-            .interpolation = named<Interpolation>(
-                "interpolation", interpolation,
-                {{"Linear", Interpolation::Linear}, {"Closest", Interpolation::Closest}})};
+            .interpolation = named<Interpolation>("interpolation", interpolation,
+                                                  {{"Linear", Interpolation::Linear},
+                                                   {"Closest", Interpolation::Closest},
+                                                   {"Cubic", Interpolation::Cubic}}),
+            .alpha = named<AlphaChannel>("alpha", alpha,
+                                         {{"STRAIGHT", AlphaChannel::Opacity},
+                                          {"CHANNEL_PACKED", AlphaChannel::Packed},
+                                          {"NONE", AlphaChannel::Ignored}})};
 }
 
 // Of the graph that `surface` is of, too.
@@ -113,19 +119,20 @@ void bind_materials(SceneClass& scene)
         .def(
             "add_texture",
             [](SceneBuilder& builder, const std::string& path, const std::string& colorspace,
-               const std::string& extension, const std::string& interpolation) {
+               const std::string& extension, const std::string& interpolation,
+               const std::string& alpha) {
                 return builder.textures().add_file(
-                    path, texture_options(colorspace, extension, interpolation));
+                    path, texture_options(colorspace, extension, interpolation, alpha));
             },
             "path"_a, py::kw_only(), "colorspace"_a = "sRGB", "extension"_a = "REPEAT",
-            "interpolation"_a = "Linear",
+            "interpolation"_a = "Linear", "alpha"_a = "STRAIGHT",
             "Number of the texture. A file that cannot be read shows magenta and a warning.")
         .def(
             "add_texture_pixels",
             [](SceneBuilder& builder, const std::string& name, const py::array& pixels,
                const std::string& colorspace, const std::string& extension,
-               const std::string& interpolation) {
-                const auto options = texture_options(colorspace, extension, interpolation);
+               const std::string& interpolation, const std::string& alpha) {
+                const auto options = texture_options(colorspace, extension, interpolation, alpha);
                 if (py::isinstance<py::array_t<std::uint8_t>>(pixels)) {
                     return add_pixels<PixelsU8>(builder, name, Array<std::uint8_t>(pixels),
                                                 options);
@@ -133,9 +140,10 @@ void bind_materials(SceneClass& scene)
                 return add_pixels<PixelsF32>(builder, name, Array<float>(pixels), options);
             },
             "name"_a, "pixels"_a, py::kw_only(), "colorspace"_a = "sRGB", "extension"_a = "REPEAT",
-            "interpolation"_a = "Linear",
-            "Number of a texture from pixels (height, width, 4), uint8 or float32, rows "
-            "bottom-up.")
+            "interpolation"_a = "Linear", "alpha"_a = "STRAIGHT",
+            "Number of a texture from pixels (height, width, 4), rows bottom-up: uint8 with "
+            "straight\n"
+            "alpha, or float32 multiplied by it.")
         .def("add_material", &add_material, "name"_a, "surface"_a = py::none(),
              "displacement"_a = py::none(), "pass_index"_a = 0, "aovs"_a = py::dict(),
              "Number of a material: outputs of one graph. None is black; displacement is shown as "

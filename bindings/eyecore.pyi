@@ -236,6 +236,7 @@ class Scene:
         colorspace: str = "sRGB",
         extension: str = "REPEAT",
         interpolation: str = "Linear",
+        alpha: str = "STRAIGHT",
     ) -> int: ...
     def add_texture_pixels(
         self,
@@ -245,6 +246,7 @@ class Scene:
         colorspace: str = "sRGB",
         extension: str = "REPEAT",
         interpolation: str = "Linear",
+        alpha: str = "STRAIGHT",
     ) -> int: ...
     def add_material(
         self,

@@ -50,9 +50,9 @@ public:
     [[nodiscard]] V3f smooth_normal() const override;
     [[nodiscard]] const ObjectFacts& object() const override { return facts_; }
     [[nodiscard]] const ViewFrame& view() const override { return frame_.view; }
-    [[nodiscard]] Color4f texture(int texture, const V2f& uv) const override
+    [[nodiscard]] Color4f texture(int texture, const V2f& uv, TextureAlpha alpha) const override
     {
-        return frame_.textures->lookup(texture, uv);
+        return frame_.textures->lookup(texture, uv, alpha);
     }
     // A lamp has no bumps.
     void moved(const V3f& /*offset*/,

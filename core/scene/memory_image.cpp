@@ -10,16 +10,16 @@ namespace eye_render {
 namespace {
 
 template <typename T>
-MemoryImage from_top_down(int width, int height, std::vector<T> rgba, Colorspace colorspace)
+MemoryImage from_top_down(int width, int height, std::vector<T> rgba, bool is_associated)
 {
-    if (colorspace != Colorspace::NonColor) {
+    if (is_associated) {
         associate(rgba.data(), rgba.size() / 4);
     }
     return {width, height, std::move(rgba)};
 }
 
 template <typename Pixels>
-MemoryImage from_bottom_up(const std::string& name, const Pixels& pixels, Colorspace colorspace)
+MemoryImage from_bottom_up(const std::string& name, const Pixels& pixels, bool associate)
 {
     const auto width = static_cast<std::size_t>(std::max(pixels.width, 0));
     const auto height = static_cast<std::size_t>(std::max(pixels.height, 0));
@@ -35,7 +35,7 @@ MemoryImage from_bottom_up(const std::string& name, const Pixels& pixels, Colors
         const auto from = pixels.rgba.subspan((height - 1 - y) * row, row);
         std::copy(from.begin(), from.end(), rgba.data() + y * row);
     }
-    return from_top_down(pixels.width, pixels.height, std::move(rgba), colorspace);
+    return from_top_down(pixels.width, pixels.height, std::move(rgba), associate);
 }
 
 }  // namespace
@@ -43,31 +43,24 @@ MemoryImage from_bottom_up(const std::string& name, const Pixels& pixels, Colors
 MemoryImage make_memory_image(int width,
                               int height,
                               std::vector<std::uint8_t> rgba,
-                              Colorspace colorspace)
+                              bool associate)
 {
-    return from_top_down(width, height, std::move(rgba), colorspace);
+    return from_top_down(width, height, std::move(rgba), associate);
 }
 
-MemoryImage make_memory_image(int width,
-                              int height,
-                              std::vector<float> rgba,
-                              Colorspace colorspace)
+MemoryImage make_memory_image(int width, int height, std::vector<float> rgba, bool associate)
 {
-    return from_top_down(width, height, std::move(rgba), colorspace);
+    return from_top_down(width, height, std::move(rgba), associate);
 }
 
-MemoryImage make_memory_image(const std::string& name,
-                              const PixelsU8& pixels,
-                              Colorspace colorspace)
+MemoryImage make_memory_image(const std::string& name, const PixelsU8& pixels, bool associate)
 {
-    return from_bottom_up(name, pixels, colorspace);
+    return from_bottom_up(name, pixels, associate);
 }
 
-MemoryImage make_memory_image(const std::string& name,
-                              const PixelsF32& pixels,
-                              Colorspace colorspace)
+MemoryImage make_memory_image(const std::string& name, const PixelsF32& pixels)
 {
-    return from_bottom_up(name, pixels, colorspace);
+    return from_bottom_up(name, pixels, false);
 }
 
 }  // namespace eye_render

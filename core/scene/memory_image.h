@@ -2,8 +2,6 @@
 
 #pragma once
 
-#include "scene/texture_options.h"
-
 #include <cstdint>
 #include <span>
 #include <string>
@@ -12,8 +10,9 @@
 
 namespace eye_render {
 
-// RGBA with straight alpha, rows bottom-up, as Blender hands over packed and generated images.
-// The values are encoded as the colour space says; they are copied.
+// RGBA, rows bottom-up, as Blender hands over packed and generated images: whole numbers with
+// straight alpha, and others multiplied by it. The values are encoded as the colour space says;
+// they are copied.
 struct PixelsU8 {
     int width = 0;
     int height = 0;
@@ -25,31 +24,30 @@ struct PixelsF32 {
     std::span<const float> rgba;
 };
 
-// RGBA, rows top-down; unless it is data, alpha is multiplied into the encoded colour (and whole
-// numbers rounded down), as Cycles does.
+// RGBA, rows top-down.
 struct MemoryImage {
     int width = 0;
     int height = 0;
     std::variant<std::vector<std::uint8_t>, std::vector<float>> rgba;
 };
 
-// From straight alpha with the rows top-down already. `rgba` has 4 width height values.
+// From straight alpha with the rows top-down already. `rgba` has 4 width height values. To
+// associate is to multiply alpha into the encoded colour, whole numbers rounded down, as Cycles
+// does.
 [[nodiscard]] MemoryImage make_memory_image(int width,
                                             int height,
                                             std::vector<std::uint8_t> rgba,
-                                            Colorspace colorspace);
+                                            bool associate);
 [[nodiscard]] MemoryImage make_memory_image(int width,
                                             int height,
                                             std::vector<float> rgba,
-                                            Colorspace colorspace);
+                                            bool associate);
 
 // Throws std::invalid_argument for pixels whose count does not fit their size; `name` is the
 // image's in that text.
 [[nodiscard]] MemoryImage make_memory_image(const std::string& name,
                                             const PixelsU8& pixels,
-                                            Colorspace colorspace);
-[[nodiscard]] MemoryImage make_memory_image(const std::string& name,
-                                            const PixelsF32& pixels,
-                                            Colorspace colorspace);
+                                            bool associate);
+[[nodiscard]] MemoryImage make_memory_image(const std::string& name, const PixelsF32& pixels);
 
 }  // namespace eye_render

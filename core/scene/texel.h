@@ -6,6 +6,7 @@
 #include "scene/texture_options.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -57,14 +58,33 @@ void expand_to_rgba(const T* in, int channels, T opaque, T* out, std::size_t pix
     }
 }
 
+// Of the four texels around a place, t of the way from the second to the third: the uniform cubic
+// B-spline.
+[[nodiscard]] inline std::array<float, 4> cubic_weights(float t)
+{
+    const float s = 1.0f - t;
+    return {s * s * s / 6.0f, (4.0f + 3.0f * t * t * (t - 2.0f)) / 6.0f,
+            (4.0f + 3.0f * s * s * (s - 2.0f)) / 6.0f, t * t * t / 6.0f};
+}
+
 // How much of the interpolation's footprint lies on an axis of `size` texels, at `x` texels.
 [[nodiscard]] inline float coverage(float x, int size, Interpolation interpolation)
 {
     const auto width = static_cast<float>(size);
-    if (interpolation == Interpolation::Closest) {
-        return x >= 0.0f && x < width ? 1.0f : 0.0f;
+    switch (interpolation) {
+    case Interpolation::Closest: return x >= 0.0f && x < width ? 1.0f : 0.0f;
+    case Interpolation::Cubic: break;
+    case Interpolation::Linear:
+        return std::clamp(x + 0.5f, 0.0f, 1.0f) * std::clamp(width + 0.5f - x, 0.0f, 1.0f);
     }
-    return std::clamp(x + 0.5f, 0.0f, 1.0f) * std::clamp(width + 0.5f - x, 0.0f, 1.0f);
+    const float first = std::floor(x - 0.5f) - 1.0f;
+    const std::array<float, 4> weights = cubic_weights(x - 0.5f - std::floor(x - 0.5f));
+    float sum = 0.0f;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+        const float texel = first + static_cast<float>(i);
+        sum += texel >= 0.0f && texel < width ? weights[i] : 0.0f;
+    }
+    return sum;
 }
 
 // Brings a texture coordinate to where float can still tell texels apart, without changing what is

@@ -77,9 +77,11 @@ OIIO::TextureOpt lookup_options(const TextureOptions& options)
 {
     OIIO::TextureOpt result;
     result.mipmode = OIIO::TextureOpt::MipModeNoMIP;
-    result.interpmode = options.interpolation == Interpolation::Linear
-                            ? OIIO::TextureOpt::InterpBilinear
-                            : OIIO::TextureOpt::InterpClosest;
+    switch (options.interpolation) {
+    case Interpolation::Linear: result.interpmode = OIIO::TextureOpt::InterpBilinear; break;
+    case Interpolation::Closest: result.interpmode = OIIO::TextureOpt::InterpClosest; break;
+    case Interpolation::Cubic: result.interpmode = OIIO::TextureOpt::InterpBicubic; break;
+    }
     switch (options.extension) {
     case Extension::Repeat: result.swrap = OIIO::TextureOpt::WrapPeriodic; break;
     case Extension::Extend: result.swrap = OIIO::TextureOpt::WrapClamp; break;
@@ -91,7 +93,7 @@ OIIO::TextureOpt lookup_options(const TextureOptions& options)
 
 // The whole of an open file whose alpha is straight.
 template <typename T>
-MemoryImage read_straight(OIIO::ImageInput& input, T opaque, Colorspace colorspace)
+MemoryImage read_straight(OIIO::ImageInput& input, T opaque)
 {
     const OIIO::ImageSpec& spec = input.spec();
     const std::size_t pixels =
@@ -102,7 +104,7 @@ MemoryImage read_straight(OIIO::ImageInput& input, T opaque, Colorspace colorspa
     }
     std::vector<T> rgba(pixels * 4);
     expand_to_rgba(values.data(), spec.nchannels, opaque, rgba.data(), pixels);
-    return make_memory_image(spec.width, spec.height, std::move(rgba), colorspace);
+    return make_memory_image(spec.width, spec.height, std::move(rgba), true);
 }
 
 }  // namespace
@@ -172,10 +174,10 @@ CachedImage TextureCache::add_file(const std::string& path, const TextureOptions
     const OIIO::ImageSpec& spec = input->spec();
     const bool has_alpha = spec.nchannels == 2 || spec.nchannels > 3;
     const bool is_straight = spec.get_int_attribute("oiio:UnassociatedAlpha") != 0;
-    if (has_alpha && is_straight && options.colorspace != Colorspace::NonColor) {
+    if (has_alpha && is_straight && options.is_associated()) {
         return add_memory(spec.format == OIIO::TypeDesc::UINT8
-                              ? read_straight<std::uint8_t>(*input, 255, options.colorspace)
-                              : read_straight<float>(*input, 1.0f, options.colorspace),
+                              ? read_straight<std::uint8_t>(*input, 255)
+                              : read_straight<float>(*input, 1.0f),
                           options);
     }
     return {.number = impl_->add(OIIO::ustring(path), options),

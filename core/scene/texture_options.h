@@ -4,14 +4,24 @@
 
 namespace eye_render {
 
-enum class Colorspace { Srgb, Linear, NonColor };  // NonColor: as Linear, and alpha is left alone
-enum class Extension { Repeat, Extend, Clip };     // Clip: transparent black outside
-enum class Interpolation { Linear, Closest };
+enum class Colorspace { Srgb, Linear, NonColor };     // NonColor: as Linear, and alpha is packed
+enum class Extension { Repeat, Extend, Clip };        // Clip: transparent black outside
+enum class Interpolation { Linear, Closest, Cubic };  // Cubic: the uniform B-spline
+
+// What the fourth channel is: how opaque the colour is, a number like any other, or nothing.
+enum class AlphaChannel { Opacity, Packed, Ignored };
 
 struct TextureOptions {
     Colorspace colorspace = Colorspace::Srgb;
     Extension extension = Extension::Repeat;
     Interpolation interpolation = Interpolation::Linear;
+    AlphaChannel alpha = AlphaChannel::Opacity;
+
+    // Whether colour is multiplied by alpha before it is interpolated.
+    [[nodiscard]] bool is_associated() const
+    {
+        return colorspace != Colorspace::NonColor && alpha == AlphaChannel::Opacity;
+    }
 };
 
 }  // namespace eye_render

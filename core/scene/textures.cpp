@@ -99,7 +99,7 @@ int TextureSet::add_pixels(const std::string& name,
                            const PixelsU8& pixels,
                            const TextureOptions& options)
 {
-    MemoryImage image = make_memory_image(name, pixels, options.colorspace);
+    MemoryImage image = make_memory_image(name, pixels, options.is_associated());
     return impl_->add(name, options, impl_->started_cache().add_memory(std::move(image), options));
 }
 
@@ -107,11 +107,11 @@ int TextureSet::add_pixels(const std::string& name,
                            const PixelsF32& pixels,
                            const TextureOptions& options)
 {
-    MemoryImage image = make_memory_image(name, pixels, options.colorspace);
+    MemoryImage image = make_memory_image(name, pixels);
     return impl_->add(name, options, impl_->started_cache().add_memory(std::move(image), options));
 }
 
-Color4f TextureSet::lookup(int texture, const V2f& uv) const
+Color4f TextureSet::lookup(int texture, const V2f& uv, TextureAlpha use) const
 {
     const Texture* t = impl_->readable(texture);
     if (t == nullptr || !std::isfinite(uv.x) || !std::isfinite(uv.y)) {
@@ -125,12 +125,12 @@ Color4f TextureSet::lookup(int texture, const V2f& uv) const
         return magenta();
     }
     std::array<float, 4> rgba{};
-    expand_to_rgba(texel->data(), t->image->channels, footprint_coverage(*t, u, v), rgba.data(),
-                   1);
+    const float opaque = footprint_coverage(*t, u, v);
+    expand_to_rgba(texel->data(), t->image->channels, opaque, rgba.data(), 1);
     Color3f color(rgba[0], rgba[1], rgba[2]);
-    const float alpha = rgba[3];
-    const bool is_associated = t->options.colorspace != Colorspace::NonColor;
-    if (is_associated && alpha != 0.0f && alpha != 1.0f) {
+    const float alpha = t->options.alpha == AlphaChannel::Ignored ? opaque : rgba[3];
+    const bool is_divided = use == TextureAlpha::Straight && t->options.is_associated();
+    if (is_divided && alpha != 0.0f && alpha != 1.0f) {
         color /= alpha;
     }
     if (t->options.colorspace == Colorspace::Srgb) {

@@ -1,15 +1,16 @@
 // Image textures, of files and of pixels in memory.
 //
-// A lookup is bilinear on the full-resolution image, without MIP maps, as Cycles does, and gives
-// linear Rec. 709 with straight alpha. v = 0 is the bottom row, v = 1 the top one. sRGB is
-// decoded after interpolation, and alpha is divided out after interpolation, both as Cycles does
-// for 8-bit images. OpenImageIO is not started before the first image is added.
+// A lookup is interpolated on the full-resolution image, without MIP maps, as Cycles does, and
+// gives linear Rec. 709. v = 0 is the bottom row, v = 1 the top one. Alpha is divided out after
+// interpolation, and sRGB is decoded after that, as Cycles does. OpenImageIO is not started before
+// the first image is added.
 
 #pragma once
 
 #include "base/vector.h"
 #include "scene/memory_image.h"
 #include "scene/texture_options.h"
+#include "shading/hit_attributes.h"
 
 #include <memory>
 #include <string>
@@ -34,7 +35,9 @@ public:
 
     // Safe from any number of threads once everything is added. Finite for finite files and uv;
     // an index that was never given out, or uv that is not finite, gives magenta.
-    [[nodiscard]] Color4f lookup(int texture, const V2f& uv) const;
+    [[nodiscard]] Color4f lookup(int texture,
+                                 const V2f& uv,
+                                 TextureAlpha alpha = TextureAlpha::Straight) const;
 
     // Pixels; 1 of an image that cannot be read.
     [[nodiscard]] int width(int texture) const;

@@ -29,9 +29,9 @@ public:
         return nothing;
     }
     [[nodiscard]] const ViewFrame& view() const override { return frame_.direction_view; }
-    [[nodiscard]] Color4f texture(int texture, const V2f& uv) const override
+    [[nodiscard]] Color4f texture(int texture, const V2f& uv, TextureAlpha alpha) const override
     {
-        return frame_.textures->lookup(texture, uv);
+        return frame_.textures->lookup(texture, uv, alpha);
     }
     void moved(const V3f& offset,
                const std::function<void(const HitAttributes&)>& look) const override

@@ -5,6 +5,7 @@
 
 #include "base/vector.h"
 
+#include <cstdint>
 #include <functional>
 
 namespace eye_render {
@@ -13,6 +14,10 @@ struct TangentFrame {
     V3f tangent{0.0f};  // d(position)/du, normalised, world space; zero if the map is degenerate
     float bitangent_sign = 1.0f;  // B = sign * cross(N, T)
 };
+
+// How the colour of a picture with alpha is wanted. Associated, it is dimmed by alpha before its
+// encoding is undone, as Cycles shows it where nobody asks for the alpha.
+enum class TextureAlpha : std::uint8_t { Straight, Associated };
 
 // A layer or property that a node reads by name. Colours are linear Rec. 709, straight alpha.
 struct AttributeValue {
@@ -60,8 +65,10 @@ public:
     [[nodiscard]] virtual const ObjectFacts& object() const = 0;
     [[nodiscard]] virtual const ViewFrame& view() const = 0;
 
-    // Linear Rec. 709, straight alpha.
-    [[nodiscard]] virtual Color4f texture(int texture, const V2f& uv) const = 0;
+    // Linear Rec. 709.
+    [[nodiscard]] virtual Color4f texture(int texture,
+                                          const V2f& uv,
+                                          TextureAlpha alpha) const = 0;
 
     // Calls `look` with what this would be `offset` (world) further along the surface, taken as
     // flat: for bump mapping.

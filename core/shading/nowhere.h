@@ -20,7 +20,9 @@ public:
     [[nodiscard]] V3f smooth_normal() const override { return {0.0f, 0.0f, 1.0f}; }
     [[nodiscard]] const ObjectFacts& object() const override { return object_; }
     [[nodiscard]] const ViewFrame& view() const override { return view_; }
-    [[nodiscard]] Color4f texture(int /*texture*/, const V2f& /*uv*/) const override
+    [[nodiscard]] Color4f texture(int /*texture*/,
+                                  const V2f& /*uv*/,
+                                  TextureAlpha /*alpha*/) const override
     {
         return Color4f(0.0f);
     }

@@ -48,6 +48,18 @@ def test_the_same_use_of_an_image_is_one_texture(table, file_image):
     assert recording.textures[1].interpolation == "Closest"
 
 
+def test_the_ways_to_interpolate_and_to_read_alpha_are_cycles(table, file_image):
+    images, recording = table
+    for way, core_way in (("Cubic", "Cubic"), ("Smart", "Cubic"), ("Linear", "Linear")):
+        images.texture(file_image, USER, "REPEAT", way)
+        assert recording.textures[-1].interpolation == core_way
+    for mode, core_mode in (("NONE", "NONE"), ("CHANNEL_PACKED", "CHANNEL_PACKED"),
+                            ("PREMUL", "STRAIGHT"), ("STRAIGHT", "STRAIGHT")):  # fmt: skip
+        file_image.alpha_mode = mode
+        images.texture(file_image, USER, "EXTEND", f"as {mode}")
+        assert recording.textures[-1].alpha == core_mode
+
+
 def test_packed_images_go_by_their_pixels(table, file_image):
     images, recording = table
     file_image.pack()

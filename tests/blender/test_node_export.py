@@ -188,7 +188,6 @@ def test_an_image_texture_has_the_number_of_a_texture(material, export):
     assert picture.kind == "TEX_IMAGE"
     assert picture.options["texture"] == 0
     assert picture.options["projection"] == "BOX"
-    assert picture.options["premultiplied"] is True
     assert left_out == []
 
 

@@ -66,7 +66,8 @@ protected:
         std::ifstream file(std::string(EYE_TEST_DATA_DIR) + "/nodes/hits.json");
         table_ = Json::parse(file);
         data_.uv_layer_names = {"", "second", "absent"};
-        data_.attribute_names = {"paint", "weight", "absent"};
+        data_.attribute_names = {"paint", "weight"};
+        data_.attribute_names.resize(test::tangents + 1, "absent");
         data_.materials.push_back(plain_material("BSDF_DIFFUSE", {}));
         data_.materials[0].pass_index = table_["material_index"];
         for (const Json& body : table_["bodies"]) {

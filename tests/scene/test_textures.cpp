@@ -124,6 +124,78 @@ TEST(Textures, alpha_is_left_alone_in_data)
                 {180 / 255.0f, 0.0f, 0.0f, 100 / 255.0f}, 1e-5f, "data file");
 }
 
+TEST(Textures, associated_colour_is_dimmed_before_it_is_decoded)
+{
+    TextureSet set;
+    // Half opaque, but for rounding: 128 of 255 of 200 is 100.
+    const std::vector<std::uint8_t> half = {200, 200, 200, 128};
+    const PixelsU8 pixels{1, 1, half};
+    const V2f middle(0.5f, 0.5f);
+    const int bytes = set.add_pixels("b", pixels, {});
+    EXPECT_NEAR(set.lookup(bytes, middle, TextureAlpha::Associated).r, 0.127438f, 1e-5f);
+    // 100 over 128 is 199.2 of 255.
+    EXPECT_NEAR(set.lookup(bytes, middle, TextureAlpha::Straight).r, 0.572533f, 1e-5f);
+    // Other numbers come dimmed, and are linear.
+    const std::vector<float> dimmed = {2.0f, 1.0f, 0.5f, 0.5f};
+    const int floats =
+        set.add_pixels("f", PixelsF32{1, 1, dimmed}, {.colorspace = Colorspace::Linear});
+    expect_near(set.lookup(floats, middle, TextureAlpha::Associated), {2.0f, 1.0f, 0.5f, 0.5f},
+                1e-6f, "associated");
+    expect_near(set.lookup(floats, middle), {4.0f, 2.0f, 1.0f, 0.5f}, 1e-6f, "straight");
+}
+
+TEST(Textures, alpha_that_is_packed_or_ignored_dims_nothing)
+{
+    TextureSet set;
+    for (const TextureAlpha use : {TextureAlpha::Straight, TextureAlpha::Associated}) {
+        const int packed =
+            set.add_file(data_dir + "straight_alpha_4x3.png",
+                         {.interpolation = Interpolation::Closest, .alpha = AlphaChannel::Packed});
+        const int ignored = set.add_file(
+            data_dir + "straight_alpha_4x3.png",
+            {.interpolation = Interpolation::Closest, .alpha = AlphaChannel::Ignored});
+        // Texel (3, 0) is (180, 0, 0) with alpha 100.
+        const V2f texel(3.5f / 4.0f, 0.5f / 3.0f);
+        expect_near(set.lookup(packed, texel, use), {0.45641f, 0.0f, 0.0f, 100 / 255.0f}, 1e-5f,
+                    "packed");
+        expect_near(set.lookup(ignored, texel, use), {0.45641f, 0.0f, 0.0f, 1.0f}, 1e-5f,
+                    "ignored");
+    }
+}
+
+TEST(Textures, cubic_is_the_uniform_b_spline)
+{
+    TextureSet set;
+    // One bright texel: the spline itself, of which 2/3 is the middle and 1/6 is a texel away.
+    std::vector<float> spot(4 * 9 * 9, 0.0f);
+    for (std::size_t i = 3; i < spot.size(); i += 4) {
+        spot[i] = 1.0f;
+    }
+    spot[4 * (9 * 4 + 4)] = 1.0f;
+    const auto spline = [](float x) {
+        const float a = std::abs(x);
+        return a < 1.0f   ? (4.0f - 6.0f * a * a + 3.0f * a * a * a) / 6.0f
+               : a < 2.0f ? (2.0f - a) * (2.0f - a) * (2.0f - a) / 6.0f
+                          : 0.0f;
+    };
+    const TextureOptions cubic{.colorspace = Colorspace::Linear,
+                               .interpolation = Interpolation::Cubic};
+    const int t = set.add_pixels("spot", PixelsF32{9, 9, spot}, cubic);
+    for (const V2f& texels : {V2f(0, 0), V2f(1, 0), V2f(0.3f, -0.6f), V2f(-1.7f, 1.2f)}) {
+        const V2f uv = (V2f(4.5f) + texels) / 9.0f;
+        EXPECT_NEAR(set.lookup(t, uv).r, spline(texels.x) * spline(texels.y), 1e-5f) << texels;
+    }
+    // Of an image without alpha that is clipped, as much shows as of the spline lies on it.
+    const int clipped =
+        set.add_file(data_dir + "flat.hdr", {.colorspace = Colorspace::Linear,
+                                             .extension = Extension::Clip,
+                                             .interpolation = Interpolation::Cubic});
+    EXPECT_NEAR(set.lookup(clipped, {0.0f, 0.5f}).a, 0.5f, 1e-5f);
+    EXPECT_NEAR(set.lookup(clipped, {0.5f / 8.0f, 0.5f}).a, 5.0f / 6.0f, 1e-5f);
+    EXPECT_NEAR(set.lookup(clipped, {-0.5f / 8.0f, 0.5f}).a, 1.0f / 6.0f, 1e-5f);
+    EXPECT_EQ(set.lookup(clipped, {-1.6f / 8.0f, 0.5f}).a, 0.0f);
+}
+
 TEST(Textures, lookups_agree_with_cycles)
 {
     using enum Extension;

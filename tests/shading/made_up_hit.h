@@ -12,6 +12,9 @@
 
 namespace eye_render::test {
 
+// The attribute of smoothed tangents, whatever the UV layer.
+inline constexpr int tangents = 9;
+
 class MadeUpHit : public HitAttributes {
 public:
     V3f p_world{0.0f};
@@ -22,27 +25,33 @@ public:
     Color4f texel{0.0f, 0.0f, 0.0f, 1.0f};
     std::function<Color4f(int, const V2f&)> picture;  // in place of the texel
     AttributeValue layer{.value = Color4f(0.0f, 0.0f, 0.0f, 1.0f), .exists = true};
+    AttributeValue smoothed_tangent;
     TangentFrame frame{.tangent = V3f(1.0f, 0.0f, 0.0f)};
     float to_edge = 0.0f;
     V3f smooth{0.0f, 0.0f, 1.0f};
     ObjectFacts facts;
     ViewFrame camera;
     mutable int questions = 0;
+    mutable TextureAlpha asked_alpha{};  // of the last texture
 
     [[nodiscard]] V3f position_world() const override { return answer(p_world); }
     [[nodiscard]] V3f position_object() const override { return answer(p_object); }
     [[nodiscard]] V3f generated() const override { return answer(p_generated); }
     [[nodiscard]] V2f uv(int) const override { return answer(uv_value); }
     [[nodiscard]] TangentFrame tangent(int) const override { return answer(frame); }
-    [[nodiscard]] AttributeValue attribute(int) const override { return answer(layer); }
+    [[nodiscard]] AttributeValue attribute(int number) const override
+    {
+        return answer(number == tangents ? smoothed_tangent : layer);
+    }
     [[nodiscard]] V2f parametric() const override { return answer(weights); }
     [[nodiscard]] float edge_distance() const override { return answer(to_edge); }
     [[nodiscard]] V3f smooth_normal() const override { return answer(smooth); }
     [[nodiscard]] const ObjectFacts& object() const override { return answer(facts); }
     [[nodiscard]] const ViewFrame& view() const override { return answer(camera); }
-    [[nodiscard]] Color4f texture(int texture, const V2f& uv) const override
+    [[nodiscard]] Color4f texture(int texture, const V2f& uv, TextureAlpha alpha) const override
     {
         ++questions;
+        asked_alpha = alpha;
         return picture ? picture(texture, uv) : texel;
     }
     // All positions move by the offset, as on an object that is neither turned nor scaled.
@@ -77,7 +86,7 @@ public:
     [[nodiscard]] int attribute(const std::string& name) override
     {
         attributes.push_back(name);
-        return number_of(name);
+        return name.ends_with(".tangent") ? tangents : number_of(name);
     }
     void require_texture(int texture) override { textures.push_back(texture); }
 

@@ -129,6 +129,9 @@ TEST(TangentNode, that_of_a_uv_map_is_turned_into_the_surface)
     hit.frame.tangent = V3f(0.8f, 0.0f, 0.6f);
     const AskedNode node{.type = "TANGENT", .options = {{"direction_type", "UV_MAP"}}};
     EXPECT_LT((node("Tangent", hit, seen) - V3f(1, 0, 0)).length(), rounding);
+    MadeUpHit smoothed = hit;
+    smoothed.smoothed_tangent = {.value = Color4f(0.0f, -3.0f, 0.0f, 1.0f), .exists = true};
+    EXPECT_LT((node("Tangent", smoothed, seen) - V3f(0, -1, 0)).length(), rounding);
     hit.frame.tangent = V3f(0.0f);
     EXPECT_EQ(node("Tangent", hit, seen), V3f(0.0f));
 }

@@ -47,6 +47,19 @@ TEST(NormalMapNode, a_mirrored_map_turns_green_over)
     EXPECT_LT((mapped({0, 0.6f, 0.8f}, flat_point, hit) - V3f(0, -0.6f, 0.8f)).length(), rounding);
 }
 
+TEST(NormalMapNode, smoothed_tangents_of_the_mesh_come_before_the_triangles)
+{
+    MadeUpHit hit;
+    hit.smoothed_tangent = {.value = Color4f(0.0f, 2.0f, 0.0f, -1.0f), .exists = true};
+    EXPECT_LT((mapped({0.6f, 0, 0.8f}, flat_point, hit) - V3f(0, 0.6f, 0.8f)).length(), rounding);
+    // B = -cross(N, T) is along +x.
+    EXPECT_LT((mapped({0, 0.6f, 0.8f}, flat_point, hit) - V3f(0.6f, 0, 0.8f)).length(), rounding);
+    hit.facts.world_from_object.setScale(V3f(-1, 1, 1));
+    hit.facts.object_from_world = hit.facts.world_from_object.inverse();
+    EXPECT_LT((mapped({0, 0.6f, 0.8f}, flat_point, hit) - V3f(-0.6f, 0, 0.8f)).length(), rounding)
+        << "what is mirrored is the object, with its map";
+}
+
 TEST(NormalMapNode, strength_blends_from_flat)
 {
     const auto slope = [](float strength) {

@@ -19,6 +19,9 @@ _MEMBERS = {
     "BYTE_COLOR": ("color", 4, np.float32),
 }
 
+# Ends the name of what has the tangents of a UV layer; without the layer's, of the active one.
+TANGENT = ".tangent"
+
 _DERIVED = {
     DERIVED_ATTRIBUTES["Pointiness"]: pointiness,
     DERIVED_ATTRIBUTES["Random Per Island"]: island_randoms,
@@ -41,6 +44,9 @@ def _attribute(
 ) -> np.ndarray | None:
     if name in _DERIVED:
         return _rgba(_DERIVED[name](mesh)[:, None])[triangles.ravel()]
+    if name.endswith(TANGENT):
+        tangents = compat.tangents(mesh, name.removesuffix(TANGENT))
+        return None if tangents is None else tangents[corners.ravel()]
     if name in mesh.uv_layers:  # attributes only since Blender 3.5
         return _rgba(compat.corner_uvs(mesh.uv_layers[name]))[corners.ravel()]
     attribute = mesh.attributes.get(name) if name else _render_color(mesh)

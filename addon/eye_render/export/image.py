@@ -8,8 +8,10 @@ import numpy as np
 
 from . import image_file
 
-# Blender's interpolations that the core does not have are close to linear.
-_INTERPOLATIONS = {"Closest": "Closest"}
+# As Cycles has it on a processor, Smart is Cubic.
+_INTERPOLATIONS = {"Smart": "Cubic"}
+# What the alpha of a file is, Cycles takes from the file.
+_ALPHA_MODES = {"PREMUL": "STRAIGHT"}
 _EXTENSIONS = {"REPEAT", "EXTEND", "CLIP"}
 _DATA_COLORSPACES = {"Non-Color", "Raw"}
 _LINEAR_COLORSPACES = {"Linear", "Linear Rec.709", "scene_linear"}
@@ -57,11 +59,6 @@ class ImageTable:
             numbers += [tile.number, self._file(image, path, extension, interpolation)]
         return numbers
 
-    def is_premultiplied(self, image: bpy.types.Image) -> bool:
-        """Whether a texture of it whose Alpha nobody asks for is dimmed by it, as in Cycles."""
-        is_data = image.colorspace_settings.name in _DATA_COLORSPACES
-        return not is_data and image.alpha_mode in {"STRAIGHT", "PREMUL"}
-
     def _file(
         self, image: bpy.types.Image, path: Path, extension: str, interpolation: str
     ) -> int | None:
@@ -84,8 +81,12 @@ class ImageTable:
             if extension not in _EXTENSIONS:
                 self._warn(f"Image '{image.name}': extension {extension} is shown as REPEAT")
                 extension = "REPEAT"
-            interpolation = _INTERPOLATIONS.get(interpolation, "Linear")
-            self._textures[key] = add(image, extension=extension, interpolation=interpolation)
+            self._textures[key] = add(
+                image,
+                extension=extension,
+                interpolation=_INTERPOLATIONS.get(interpolation, interpolation),
+                alpha=_ALPHA_MODES.get(image.alpha_mode, image.alpha_mode),
+            )
         return self._textures[key]
 
     def _add_pixels(self, image: bpy.types.Image, **how: str) -> int | None:

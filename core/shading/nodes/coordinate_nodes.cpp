@@ -2,13 +2,14 @@
 
 #include "shading/nodes/make_node.h"
 #include "shading/nodes/node_tables.h"
-#include "shading/object_space.h"
+#include "shading/nodes/own_frame.h"
 #include "shading/view_coordinates.h"
 
 #include <Imath/ImathMatrixAlgo.h>
 
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace eye_render {
 
@@ -105,18 +106,19 @@ void geometry(const NodeInputs& in, std::span<NodeValue> out)
 class TangentNode final : public ValueNode {
 public:
     enum class Axis { X, Y, Z };
-    static constexpr int radial = -1;
 
-    TangentNode(int uv_layer, Axis axis) : uv_layer_(uv_layer), axis_(axis) {}
+    // Around the axis, unless along a UV layer.
+    TangentNode(const std::optional<TangentSource>& layer, Axis axis) : layer_(layer), axis_(axis)
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
         const Hit& hit = in.hit();
-        if (uv_layer_ != radial) {
+        if (layer_) {
             // As Cycles has it: brought to the world as a normal is, where an object is stretched.
-            const ObjectFacts& object = hit.attributes.object();
-            const V3f own = vector_to_object(object, hit.attributes.tangent(uv_layer_).tangent);
-            out[0] = turned_into(hit.point.ns, normal_to_world(object, own));
+            const V3f own = own_tangent(hit, *layer_).tangent;
+            out[0] = turned_into(hit.point.ns, normal_to_world(hit.attributes.object(), own));
             return;
         }
         const V3f from_middle = hit.attributes.generated() - V3f(0.5f);
@@ -128,7 +130,7 @@ public:
     }
 
 private:
-    int uv_layer_;
+    std::optional<TangentSource> layer_;
     Axis axis_;
 };
 
@@ -143,11 +145,14 @@ Made make_tangent(const NodeOptions& options, NodeResources& resources)
 {
     const bool is_radial =
         options.choice<bool>("direction_type", {{"RADIAL", true}, {"UV_MAP", false}});
+    std::optional<TangentSource> layer;
+    if (!is_radial) {
+        layer.emplace(options.text("uv_map", ""), resources);
+    }
     return std::make_unique<TangentNode>(
-        is_radial ? TangentNode::radial : resources.uv_layer(options.text("uv_map", "")),
-        options.choice<TangentNode::Axis>("axis", {{"Z", TangentNode::Axis::Z},
-                                                   {"X", TangentNode::Axis::X},
-                                                   {"Y", TangentNode::Axis::Y}}));
+        layer, options.choice<TangentNode::Axis>("axis", {{"Z", TangentNode::Axis::Z},
+                                                          {"X", TangentNode::Axis::X},
+                                                          {"Y", TangentNode::Axis::Y}}));
 }
 
 constexpr std::array texture_coordinate_out{

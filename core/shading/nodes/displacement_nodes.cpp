@@ -38,7 +38,10 @@ class VectorDisplacementNode final : public ValueNode {
 public:
     enum class Space { Tangent, Object, World };
 
-    explicit VectorDisplacementNode(Space space) : space_(space) {}
+    VectorDisplacementNode(Space space, const TangentSource& tangents)
+        : space_(space), tangents_(tangents)
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -49,7 +52,7 @@ public:
         case Space::Object: out[0] = vector_to_world(hit.attributes.object(), offset); return;
         case Space::Tangent: break;
         }
-        const OwnFrame own(hit, HitAttributes::active_uv_layer, hit.point.ns);
+        const OwnFrame own(hit, tangents_, hit.point.ns);
         out[0] = vector_to_world(hit.attributes.object(), own.tangent * offset.x +
                                                               own.normal * offset.y +
                                                               own.bitangent * offset.z);
@@ -57,6 +60,7 @@ public:
 
 private:
     Space space_;
+    TangentSource tangents_;
 };
 
 Made make_displacement(const NodeOptions& options, NodeResources& /*resources*/)
@@ -68,10 +72,11 @@ Made make_displacement(const NodeOptions& options, NodeResources& /*resources*/)
 Made make_vector_displacement(const NodeOptions& options, NodeResources& resources)
 {
     using Space = VectorDisplacementNode::Space;
-    static_cast<void>(resources.uv_layer(""));  // what the tangent space is laid out by
-    return std::make_unique<VectorDisplacementNode>(options.choice<Space>(
+    const Space space = options.choice<Space>(
         "space",
-        {{"TANGENT", Space::Tangent}, {"OBJECT", Space::Object}, {"WORLD", Space::World}}));
+        {{"TANGENT", Space::Tangent}, {"OBJECT", Space::Object}, {"WORLD", Space::World}});
+    return std::make_unique<VectorDisplacementNode>(
+        space, space == Space::Tangent ? TangentSource("", resources) : TangentSource());
 }
 
 constexpr std::array displacement_in{number_input("Height"), number_input("Midlevel", 0.5f),

@@ -34,10 +34,12 @@ public:
         }
     }
 
-    [[nodiscard]] Color4f look_up(const HitAttributes& attributes, const V2f& uv) const
+    [[nodiscard]] Color4f look_up(const HitAttributes& attributes,
+                                  const V2f& uv,
+                                  TextureAlpha alpha) const
     {
         if (tiles_.empty()) {
-            return attributes.texture(texture_, uv);
+            return attributes.texture(texture_, uv, alpha);
         }
         // Towards zero, as Cycles counts: what is less than 1 below belongs to the first tiles.
         constexpr float columns = 10.0f;
@@ -49,7 +51,8 @@ public:
             is_in_grid
                 ? tiles_.find(1001 + static_cast<int>(corner.x) + 10 * static_cast<int>(corner.y))
                 : tiles_.end();
-        return tile == tiles_.end() ? missing_tile : attributes.texture(tile->second, uv - corner);
+        return tile == tiles_.end() ? missing_tile
+                                    : attributes.texture(tile->second, uv - corner, alpha);
     }
 
 private:
@@ -62,33 +65,32 @@ private:
 
 class ImageTextureNode final : public ValueNode {
 public:
-    ImageTextureNode(Picture picture, Projection projection, float blend, bool is_premultiplied)
-        : picture_(std::move(picture)), projection_(projection), blend_(blend),
-          is_premultiplied_(is_premultiplied)
+    ImageTextureNode(Picture picture, Projection projection, float blend)
+        : picture_(std::move(picture)), projection_(projection), blend_(blend)
     {
     }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
-        const Color4f c = look_up(in.hit(), in.vector(0));
         // Nobody who leaves the alpha away wants the colour that hides behind it.
-        const float share = is_premultiplied_ && !in.wants(1) ? c.a : 1.0f;
-        out[0] = V3f(c.r, c.g, c.b) * share;
+        const TextureAlpha alpha = in.wants(1) ? TextureAlpha::Straight : TextureAlpha::Associated;
+        const Color4f c = look_up(in.hit(), in.vector(0), alpha);
+        out[0] = {c.r, c.g, c.b};
         out[1] = NodeValue(c.a);
     }
 
 private:
-    [[nodiscard]] Color4f look_up(const Hit& hit, const V3f& p) const
+    [[nodiscard]] Color4f look_up(const Hit& hit, const V3f& p, TextureAlpha alpha) const
     {
         switch (projection_) {
-        case Projection::Sphere: return picture_.look_up(hit.attributes, uv_on_sphere(p));
-        case Projection::Tube: return picture_.look_up(hit.attributes, uv_on_tube(p));
-        case Projection::Box: return look_up_box(hit, p);
-        default: return picture_.look_up(hit.attributes, {p.x, p.y});
+        case Projection::Sphere: return picture_.look_up(hit.attributes, uv_on_sphere(p), alpha);
+        case Projection::Tube: return picture_.look_up(hit.attributes, uv_on_tube(p), alpha);
+        case Projection::Box: return look_up_box(hit, p, alpha);
+        default: return picture_.look_up(hit.attributes, {p.x, p.y}, alpha);
         }
     }
 
-    [[nodiscard]] Color4f look_up_box(const Hit& hit, const V3f& p) const
+    [[nodiscard]] Color4f look_up_box(const Hit& hit, const V3f& p, TextureAlpha alpha) const
     {
         V3f normal;
         hit.attributes.object().world_from_object.transposed().multDirMatrix(hit.point.ns, normal);
@@ -96,7 +98,8 @@ private:
         Color4f sum(0.0f);
         for (int side = 0; side < 3; ++side) {
             if (weights[side] > 0.0f) {
-                sum += picture_.look_up(hit.attributes, uv_on_box(p, side, normal[side] < 0.0f)) *
+                sum += picture_.look_up(hit.attributes, uv_on_box(p, side, normal[side] < 0.0f),
+                                        alpha) *
                        weights[side];
             }
         }
@@ -106,7 +109,6 @@ private:
     Picture picture_;
     Projection projection_;
     float blend_;
-    bool is_premultiplied_;
 };
 
 class EnvironmentTextureNode final : public ValueNode {
@@ -119,9 +121,11 @@ public:
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
         const V3f direction = in.vector(0);
-        const Color4f c = in.hit().attributes.texture(
-            texture_, is_mirror_ball_ ? uv_on_mirror_ball(direction.normalized())
-                                      : uv_equirectangular(direction));
+        const Color4f c =
+            in.hit().attributes.texture(texture_,
+                                        is_mirror_ball_ ? uv_on_mirror_ball(direction.normalized())
+                                                        : uv_equirectangular(direction),
+                                        TextureAlpha::Associated);
         out[0] = {c.r, c.g, c.b};
     }
 
@@ -139,8 +143,7 @@ Made make_image_texture(const NodeOptions& options, NodeResources& resources)
                                                   {"BOX", Projection::Box},
                                                   {"SPHERE", Projection::Sphere},
                                                   {"TUBE", Projection::Tube}}),
-        static_cast<float>(options.number("projection_blend", 0.0)),
-        options.is_set("premultiplied", false));
+        static_cast<float>(options.number("projection_blend", 0.0)));
 }
 
 Made make_environment_texture(const NodeOptions& options, NodeResources& resources)
@@ -157,8 +160,8 @@ constexpr std::array environment_in{
     InputSocket{"Vector", Vector, NodeValue(0.0f), ImplicitInput::Position}};
 constexpr std::array image_out{OutputSocket{"Color", Color}, OutputSocket{"Alpha", Number}};
 constexpr std::array environment_out{OutputSocket{"Color", Color}};
-constexpr std::array<std::string_view, 5> image_options{"texture", "tiles", "projection",
-                                                        "projection_blend", "premultiplied"};
+constexpr std::array<std::string_view, 4> image_options{"texture", "tiles", "projection",
+                                                        "projection_blend"};
 constexpr std::array<std::string_view, 2> environment_options{"texture", "projection"};
 
 }  // namespace

@@ -21,7 +21,9 @@ public:
     // The BLENDER spaces have Y and Z reversed, as Blender's old baker wrote them.
     enum class Space { Tangent, Object, World, BlenderObject, BlenderWorld };
 
-    NormalMapNode(Space space, int uv_layer) : space_(space), uv_layer_(uv_layer) {}
+    NormalMapNode(Space space, const TangentSource& tangents) : space_(space), tangents_(tangents)
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -35,7 +37,7 @@ private:
     [[nodiscard]] V3f from_tangent_space(const Hit& hit, const V3f& map, float strength) const
     {
         // The map belongs to the mesh's own side, so it is applied before the turn to the viewer.
-        const OwnFrame own(hit, uv_layer_, hit.attributes.smooth_normal());
+        const OwnFrame own(hit, tangents_, hit.attributes.smooth_normal());
         if (own.tangent.length2() == 0.0f) {
             return hit.point.ns;
         }
@@ -61,7 +63,7 @@ private:
     }
 
     Space space_;
-    int uv_layer_;
+    TangentSource tangents_;
 };
 
 class BumpNode final : public ValueNode {
@@ -101,13 +103,14 @@ private:
 Made make_normal_map(const NodeOptions& options, NodeResources& resources)
 {
     using Space = NormalMapNode::Space;
+    const Space space = options.choice<Space>("space", {{"TANGENT", Space::Tangent},
+                                                        {"OBJECT", Space::Object},
+                                                        {"WORLD", Space::World},
+                                                        {"BLENDER_OBJECT", Space::BlenderObject},
+                                                        {"BLENDER_WORLD", Space::BlenderWorld}});
     return std::make_unique<NormalMapNode>(
-        options.choice<Space>("space", {{"TANGENT", Space::Tangent},
-                                        {"OBJECT", Space::Object},
-                                        {"WORLD", Space::World},
-                                        {"BLENDER_OBJECT", Space::BlenderObject},
-                                        {"BLENDER_WORLD", Space::BlenderWorld}}),
-        resources.uv_layer(options.text("uv_map", "")));
+        space, space == Space::Tangent ? TangentSource(options.text("uv_map", ""), resources)
+                                       : TangentSource());
 }
 
 Made make_bump(const NodeOptions& options, NodeResources& /*resources*/)

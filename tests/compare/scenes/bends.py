@@ -113,6 +113,41 @@ def normal_map_world():
     bumped_ball(normal_map("WORLD"))
 
 
+def mirrored_ball(material: bpy.types.Material) -> None:
+    """A ball of few smooth faces, whose UV map is mirrored at its middle and broken at a seam."""
+    outdoors()
+    mesh = dressed(ball_mesh(segments=14, rings=7), material)
+    layer = mesh.uv_layers[0].data
+    uvs = np.empty((len(layer), 2), np.float32)
+    layer.foreach_get("uv", uvs.ravel())
+    uvs[:, 0] = np.abs(2.0 * uvs[:, 0] - 1.0)
+    sides = [face.loop_total for face in mesh.polygons]
+    is_above = [uvs[list(face.loop_indices), 1].min() > 0.5 for face in mesh.polygons]
+    turned = np.repeat(is_above, sides)  # lie sideways in the picture
+    uvs[turned] = uvs[turned][:, ::-1]
+    layer.foreach_set("uv", uvs.ravel())
+    add(mesh, BALL_CENTRE).rotation_euler = (0.3, 0, 0.4)
+
+
+@feature()
+def normal_map_mirrored():
+    """A normal map in tangent space, on few faces, across a seam and a mirror"""
+    tree = new_tree()
+    bend = normal_map("TANGENT")(tree)
+    tree.surface("BsdfDiffuse", {"Color": PAINT, "Roughness": 0.0, "Normal": bend})
+    mirrored_ball(tree.datablock)
+
+
+@feature()
+def tangent_mirrored():
+    """The tangent of a UV map, on few faces, across a seam and a mirror"""
+    tree = new_tree()
+    tangent = tree.node("Tangent", direction_type="UV_MAP")
+    inputs = {"Color": PAINT, "Roughness": 0.3, "Anisotropy": 0.7, "Tangent": tangent}
+    tree.surface("BsdfAnisotropic", inputs)
+    mirrored_ball(tree.datablock)
+
+
 @feature(samples=512)
 def bevel():
     """Bevel as the normal of a cube's rounded edges"""

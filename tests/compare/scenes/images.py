@@ -125,6 +125,20 @@ def alpha():
     )
 
 
+@feature()
+def alpha_modes():
+    """Colour and alpha of a file whose alpha is packed, and of one whose alpha is ignored"""
+    picture = pixels()
+    picture[..., 3] = np.linspace(0.1, 1.0, SIZE)[:, None]
+    path = saved("alpha.png", picture, scratch())
+    paints = []
+    for mode in ("CHANNEL_PACKED", "NONE"):
+        image = bpy.data.images.load(str(path))
+        image.alpha_mode = mode
+        paints += [image_texture(image, output=output) for output in ("Color", "Alpha")]
+    tiles(paints)
+
+
 def projected(projection: str, **properties):
     """Paints by the object's coordinates."""
 

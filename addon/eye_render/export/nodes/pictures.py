@@ -29,7 +29,6 @@ def number_texture(node: Node, images: ImageTable) -> None:
         node.kind, node.options, node.inputs = "RGB", {"value": list(MISSING_COLOR)}, {}
         node.constant_outputs = {"Alpha": 1.0}
         return
-    node.options["premultiplied"] = images.is_premultiplied(image)
     if image.alpha_mode == "NONE":
         node.constant_outputs = {"Alpha": 1.0}
 
