@@ -13,18 +13,23 @@ import bpy
 PUPIL_MM, FOCUS_M = 4.0, 0.5
 
 
+def set_up_both(scene, bounces: int) -> None:
+    """What both engines read: nothing is clamped or filtered."""
+    cycles = scene.cycles
+    cycles.diffuse_bounces = cycles.glossy_bounces = bounces
+    cycles.transmission_bounces = cycles.transparent_max_bounces = bounces
+    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0.0
+    cycles.caustics_reflective = cycles.caustics_refractive = True
+    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
+
+
 def set_up_cycles(scene, samples: int, bounces: int, seed: int) -> None:
-    """Plain path tracing: nothing clamped, filtered, denoised or left to a threshold."""
+    """Plain path tracing: nothing denoised, adapted or left to a threshold."""
     scene.render.engine = "CYCLES"
     cycles = scene.cycles
     cycles.device, cycles.samples, cycles.seed = "CPU", samples, seed
     cycles.use_adaptive_sampling = cycles.use_denoising = False
-    cycles.max_bounces = cycles.diffuse_bounces = cycles.glossy_bounces = bounces
-    cycles.transmission_bounces = cycles.transparent_max_bounces = bounces
-    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
-    cycles.blur_glossy = cycles.light_sampling_threshold = 0.0
-    cycles.caustics_reflective = cycles.caustics_refractive = True
-    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
+    cycles.max_bounces, cycles.light_sampling_threshold = bounces, 0.0
 
 
 def set_up_eye_render(scene, samples: int, bounces: int, seed: int) -> None:
@@ -49,6 +54,7 @@ def set_up_lens(camera, engine: str, blur: bool) -> None:
 def main(job: dict) -> None:
     scene = bpy.context.scene
     set_up = {"cycles": set_up_cycles, "eye_render": set_up_eye_render}[job["engine"]]
+    set_up_both(scene, job["bounces"])
     set_up(scene, job["samples"], job["bounces"], job["seed"])
     set_up_lens(scene.camera.data, job["engine"], job["blur"])
     scene.render.resolution_x = scene.render.resolution_y = job["size"]

@@ -42,11 +42,8 @@ SET_UP = {"CYCLES": set_up_cycles, "EYE_RENDER": set_up_eye_render}
 
 
 def forget_what_differs(scene: bpy.types.Scene) -> None:
-    """For scenes of others: all that makes Cycles approximate, and the lens."""
+    """For scenes of others: clamping, which cuts most where sampling is worst, and the lens."""
     cycles = scene.cycles
     cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
-    cycles.caustics_reflective = cycles.caustics_refractive = True
-    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
-    cycles.film_exposure = 1.0
     scene.camera.data.dof.use_dof = False
     scene.render.use_motion_blur = False
