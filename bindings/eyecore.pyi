@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 __version__: str
 PASSES: list[tuple[str, int, str]]  # name, channels, channel names
-# One more pass: by what each channel of Combined was divided, and in A Normal and Albedo. Pictures
+# One more pass: by what each channel of light was divided, and in A the other means. Pictures
 # I of sample ranges, with weights W, make the whole picture: sum(W * I) / sum(W).
 SAMPLE_WEIGHT: tuple[str, int, str]
 # The same of pictures that are named with a number from 00: two things each, the number of each

@@ -279,3 +279,50 @@ def test_aovs_and_light_groups_are_delivered_under_their_names() -> None:
     groups = images["Combined_key"] + images["Combined_sky"]
     assert images["Combined_key"].max() > 0.0
     assert groups == pytest.approx(images["Combined"][..., :3], rel=1e-6)
+
+
+NOT_MEANS = {
+    *("Depth", "Position", "Object Index", "Material Index", "Defocus", "Blur"),
+    "Shadow Catcher",
+}
+LIGHT = ("Combined", "Emission", "Environment", "Direct", "Indirect")
+
+
+def test_every_mean_pass_merges_exactly_by_the_sample_weights() -> None:
+    """Light is weighed by wavelength, the rest by sample; light over a colour as their product."""
+    scene = lit_quad()
+    means = [name for name, _, _ in eyecore.PASSES if name not in NOT_MEANS]
+
+    def part(sample_range):
+        settings = eyecore.Settings(
+            samples=16,
+            sample_range=sample_range,
+            chromatic=True,
+            stiles_crawford=True,
+            passes=[*means, "Sample Weight"],
+        )
+        images = eyecore.render(scene, eyecore.Observer(rx="-12.00DS", pupil=6), settings)
+        images = {name: image.astype(np.float64) for name, image in images.items()}
+        for name in means:
+            kind, _, source = name.partition(" ")
+            if source in ("Direct", "Indirect") and kind != "Volume":
+                images[name] = images[name] * images[f"{kind} Color"]
+        return images
+
+    whole, first, second = part(None), part((0, 5)), part((5, 16))
+    for name in means:
+        weights = [
+            image["Sample Weight"][..., :3]
+            if name.endswith(LIGHT)
+            else image["Sample Weight"][..., 3:]
+            for image in (first, second)
+        ]
+        channels = slice(0, 3) if name.endswith(LIGHT) else slice(None)
+        sums = sum(
+            weight * image[name][..., channels]
+            for weight, image in zip(weights, (first, second), strict=True)
+        )
+        # Rounded to float as parts, as weights, as quotients and as the whole.
+        assert sums / sum(weights) == pytest.approx(
+            whole[name][..., channels], rel=8 * 2.0**-24, abs=2.0**-24
+        ), name
