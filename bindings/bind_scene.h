@@ -1,4 +1,4 @@
-// What the two halves of eyecore.Scene share.
+// What the parts of eyecore.Scene share.
 
 #pragma once
 
@@ -16,6 +16,8 @@ struct NodeSocket {
 };
 
 void bind_materials(SceneClass& scene);
+void bind_geometry(SceneClass& scene);
+void bind_instances(SceneClass& scene);
 void bind_lights(SceneClass& scene);
 
 // What is not named sees and is seen.

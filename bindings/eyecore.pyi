@@ -268,10 +268,36 @@ class Scene:
         material_slots: ArrayLike | None = None,
         active_uv: str = "",
         texture_space: tuple[Sequence[float], Sequence[float]] | None = None,
+        motion_positions: Sequence[ArrayLike] = ...,
+        motion_normals: Sequence[ArrayLike] = ...,
+    ) -> int: ...
+    def add_curves(
+        self,
+        name: str,
+        positions: ArrayLike,
+        radii: ArrayLike,
+        first_keys: ArrayLike,
+        *,
+        shape: str = "ROUND",
+        uvs: Mapping[str, ArrayLike] = ...,
+        attributes: Mapping[str, ArrayLike] = ...,
+        active_uv: str = "",
+        texture_space: tuple[Sequence[float], Sequence[float]] | None = None,
+        motion_positions: Sequence[ArrayLike] = ...,
+    ) -> int: ...
+    def add_points(
+        self,
+        name: str,
+        positions: ArrayLike,
+        radii: ArrayLike,
+        *,
+        attributes: Mapping[str, ArrayLike] = ...,
+        texture_space: tuple[Sequence[float], Sequence[float]] | None = None,
+        motion_positions: Sequence[ArrayLike] = ...,
     ) -> int: ...
     def add_instances(
         self,
-        mesh: int,
+        geometry: int,
         world_from_object: ArrayLike,
         materials: Sequence[int] = ...,
         *,
@@ -285,6 +311,7 @@ class Scene:
         name: str = "",
         asset: str = "",
         light_group: str = "",
+        motion: ArrayLike | None = None,
     ) -> None: ...
     def add_light(
         self,
@@ -321,6 +348,7 @@ class Scene:
         border: tuple[int, int, int, int] | None = None,
         clip: tuple[float, float] = ...,
         metres_per_unit: float = 1.0,
+        motion: Sequence[tuple[ArrayLike, Sequence[float]]] = ...,
     ) -> None: ...
     def uv_layers_read(self, materials: Sequence[int]) -> list[str]: ...
     def attributes_read(self, materials: Sequence[int]) -> list[str]: ...

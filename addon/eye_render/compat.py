@@ -81,6 +81,14 @@ def draw_light_extras(layout: bpy.types.UILayout, light: bpy.types.Light) -> Non
             layout.prop(light, "temperature")
 
 
+def shutter_position(scene: bpy.types.Scene) -> str:
+    """Where the frame lies in the time that the shutter is open: START, CENTER or END."""
+    for owner in (scene.render, getattr(scene, "cycles", None)):  # Blender's own since 4.2
+        if hasattr(owner, "motion_blur_position"):
+            return owner.motion_blur_position
+    return "CENTER"
+
+
 def vertex_positions(mesh: bpy.types.Mesh) -> np.ndarray:
     positions = np.empty((len(mesh.vertices), 3), np.float32)
     attribute = mesh.attributes.get("position")  # from Blender 3.5, at memcpy speed
@@ -89,6 +97,26 @@ def vertex_positions(mesh: bpy.types.Mesh) -> np.ndarray:
     else:
         mesh.vertices.foreach_get("co", positions.ravel())
     return positions
+
+
+def point_positions(data: bpy.types.Curves | bpy.types.PointCloud) -> np.ndarray:
+    positions = np.empty((len(data.points), 3), np.float32)
+    data.attributes["position"].data.foreach_get("vector", positions.ravel())
+    return positions
+
+
+# What Cycles takes for the radius of curves and points that have none.
+_RADIUS_OF_NONE = {"CURVES": 0.005 if bpy.app.version < (5, 0, 0) else 0.01, "POINTCLOUD": 0.01}
+
+
+def point_radii(data: bpy.types.Curves | bpy.types.PointCloud) -> np.ndarray:
+    attribute = data.attributes.get("radius")
+    if attribute is None:
+        kind = "CURVES" if isinstance(data, bpy.types.Curves) else "POINTCLOUD"
+        return np.full(len(data.points), _RADIUS_OF_NONE[kind], np.float32)
+    radii = np.empty(len(data.points), np.float32)
+    attribute.data.foreach_get("value", radii)
+    return np.maximum(radii, 0.0)
 
 
 def corner_vertices(mesh: bpy.types.Mesh) -> np.ndarray:

@@ -8,7 +8,15 @@ import numpy as np
 
 from . import batch, contradictions, cryptomatte, export, found, passes, reporting
 from .core import EyeRenderError
-from .export.camera import Frame, check_camera, focus_distance_m, frame_of, set_camera
+from .export.camera import (
+    CameraPose,
+    Frame,
+    check_camera,
+    focus_distance_m,
+    frame_of,
+    set_camera,
+)
+from .export.motion import Motion, record_motion, shutter_of
 from .observer import has_automatic_pupil, holds_pupil, make_observer, observer_arguments
 from .session import RenderSession, make_settings
 
@@ -56,25 +64,51 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
     check_camera(camera)
     settings = camera.data.eye_render
     contradictions.check(settings, batch.overrides)
+    is_held = holds_pupil(settings, batch.overrides)
     passes.add(engine, view_layer)
     try:
         engine.update_stats("", "Exporting the scene")
-        core_scene, matte_names = export.export_scene(depsgraph, warn, check_cancel)
-        cryptomatte.stamp(engine.get_result(), view_layer, matte_names)
-        is_held = holds_pupil(settings, batch.overrides)
+        core_scene, motion = _export(engine, depsgraph, warn, check_cancel)
+        camera = engine.camera_override or depsgraph.scene_eval.camera
         known_pupil = found.first_pupil_of_render(camera.data) if is_held else None
         for view in engine.get_result().views:
             engine.active_view_set(view.name)
             # One person's pupils are alike: the views share the first one's.
-            known_pupil = _render_view(engine, depsgraph, core_scene, view.name, known_pupil, warn)
+            camera_poses = motion.camera_poses(view.name) if motion else []
+            known_pupil = _render_view(
+                engine, depsgraph, core_scene, camera_poses, view.name, known_pupil, warn
+            )
     except _Cancelled:
         return
+
+
+def _export(
+    engine: bpy.types.RenderEngine,
+    depsgraph: bpy.types.Depsgraph,
+    warn: Callable[[str], None],
+    check_cancel: Callable[[], None],
+) -> tuple[object, Motion | None]:
+    """The core's scene and, of a picture with motion blur, what moves in it."""
+    scene, motion = depsgraph.scene_eval, None
+    frame = (scene.frame_current, scene.frame_subframe)
+    shutter = shutter_of(scene, depsgraph.view_layer_eval, warn)
+    try:
+        if shutter:
+            picture = frame_of(scene.render)
+            motion = record_motion(engine, depsgraph, shutter, picture, check_cancel)
+        core_scene, names = export.export_scene(depsgraph, warn, check_cancel, motion)
+    finally:
+        if shutter:
+            engine.frame_set(*frame)  # animations count on it
+    cryptomatte.stamp(engine.get_result(), depsgraph.view_layer_eval, names)
+    return core_scene, motion
 
 
 def _render_view(
     engine: bpy.types.RenderEngine,
     depsgraph: bpy.types.Depsgraph,
     core_scene,
+    camera_poses: list[CameraPose],
     view_name: str,
     known_pupil: found.Pupil | None,
     warn: Callable[[str], None],
@@ -84,7 +118,7 @@ def _render_view(
     camera = engine.camera_override or scene.camera
     overrides = batch.overrides
     frame = frame_of(scene.render)
-    set_camera(core_scene, engine, depsgraph, camera, frame)
+    set_camera(core_scene, engine, depsgraph, camera, frame, camera_poses)
 
     settings = camera.data.eye_render
     eye = _EYE_OF_STEREO_VIEW.get(view_name, overrides.side or settings.eye)

@@ -97,7 +97,12 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     job.frame = frame;
     eye_ = make_observer_eye(observer, job.scene, frame, settings.threads);
     const bool weighs_pupil = settings.stiles_crawford != StilesCrawfordMode::Off;
-    plan_lens(plan_, data, frame, *eye_.model, settings.chromatic, weighs_pupil);
+    const std::vector<CameraFrame>& camera_motion = scene_data_->camera_motion();
+    plan_lens(plan_, data, frame, *eye_.model, settings.chromatic, weighs_pupil, camera_motion);
+    job.moves = plan_.moves();
+    if (plan_.moving_camera) {
+        job.camera_motion.emplace(camera_motion);
+    }
     job.eye = eye_.model;
     job.pattern = make_pupil_pattern(settings.pattern, settings.samples);
     job.lens = plan_.lens;

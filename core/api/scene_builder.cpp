@@ -4,6 +4,7 @@
 #include "base/error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -20,6 +21,12 @@ void require_finite(const std::string& what, const M44d& matrix)
             }
         }
     }
+}
+
+std::string said_name(const Geometry& geometry)
+{
+    constexpr std::array<const char*, 3> kinds{"mesh", "curves", "points"};
+    return std::string(kinds.at(geometry.index())) + " '" + name_of(geometry) + "'";
 }
 
 // The sun of a sky that is laid out as the world is; one that is turned by other nodes is found by
@@ -64,17 +71,16 @@ TextureSet& SceneBuilder::textures()
     return data_.textures;
 }
 
-std::size_t SceneBuilder::add_mesh(Mesh mesh)
+std::size_t SceneBuilder::add_geometry(Geometry geometry)
 {
     require_unleased();
-    validate(mesh);
-    const std::size_t dropped = drop_broken_triangles(mesh);
-    if (dropped > 0) {
-        warnings_.push_back("mesh '" + mesh.name + "': " + std::to_string(dropped) +
-                            " triangles with a corner that is not finite are left out");
+    validate(geometry);
+    const std::string dropped = drop_broken(geometry);
+    if (!dropped.empty()) {
+        warnings_.push_back(said_name(geometry) + ": " + dropped + " are left out");
     }
-    data_.meshes.push_back(std::move(mesh));
-    return data_.meshes.size() - 1;
+    data_.geometries.push_back(std::move(geometry));
+    return data_.geometries.size() - 1;
 }
 
 std::size_t SceneBuilder::add_material(const std::string& name,
@@ -96,9 +102,16 @@ std::size_t SceneBuilder::add_material(const std::string& name,
 void SceneBuilder::add_instance(InstanceData instance)
 {
     require_unleased();
-    require_index("mesh", instance.mesh, data_.meshes.size());
-    require_finite("world_from_object of mesh '" + data_.meshes[instance.mesh].name + "'",
-                   instance.world_from_object);
+    require_index("geometry", instance.geometry, data_.geometries.size());
+    const std::string name = said_name(data_.geometries[instance.geometry]);
+    require_finite("world_from_object of " + name, instance.world_from_object);
+    if (instance.motion.size() == 1) {
+        throw std::invalid_argument("motion of " + name +
+                                    " has 1 step; expected none or at least 2");
+    }
+    for (const M44d& place : instance.motion) {
+        require_finite("motion of " + name, place);
+    }
     for (const std::size_t material : instance.materials) {
         require_index("material", material, data_.materials.size());
     }
@@ -167,34 +180,18 @@ void SceneBuilder::set_world_light_group(const std::string& name)
     data_.world_light_group = light_group(name);
 }
 
-void SceneBuilder::set_camera(const CameraFrame& frame)
+void SceneBuilder::set_camera(const CameraFrame& frame, std::vector<CameraFrame> motion)
 {
     require_unleased();
-    // Also refuses NaN. A sheared parent may tilt the axes against each other, but not flatten
-    // them.
-    if (!(std::abs(frame.axis_x.dot(frame.axis_y.cross(frame.axis_z))) > 1e-6)) {
-        throw std::invalid_argument(
-            "the camera's axes span no space; expected an invertible matrix");
+    validate(frame);
+    if (motion.size() == 1) {
+        throw std::invalid_argument("the camera's motion has 1 step; expected none or at least 2");
     }
-    for (const double coordinate :
-         {frame.position_world.x, frame.position_world.y, frame.position_world.z}) {
-        require_range("camera position", coordinate, -1e30, 1e30, "units");
+    for (const CameraFrame& pose : motion) {
+        validate(pose);
     }
-    require_range("resolution x", frame.width_px, 1, 65536, "px");
-    require_range("resolution y", frame.height_px, 1, 65536, "px");
-    require_range("border x0", frame.border.x0, 0, frame.width_px - 1, "px");
-    require_range("border y0", frame.border.y0, 0, frame.height_px - 1, "px");
-    require_range("border x1", frame.border.x1, frame.border.x0 + 1, frame.width_px, "px");
-    require_range("border y1", frame.border.y1, frame.border.y0 + 1, frame.height_px, "px");
-    // 1e4 is a field of view of 179.99 degrees: wider is no perspective camera.
-    require_range("slope_left", frame.slope_left, -1e4, 1e4, "");
-    require_range("slope_bottom", frame.slope_bottom, -1e4, 1e4, "");
-    require_range("slope_right", frame.slope_right, frame.slope_left + 1e-9, 1e4, "");
-    require_range("slope_top", frame.slope_top, frame.slope_bottom + 1e-9, 1e4, "");
-    require_range("clip near", frame.clip_near, 0.0, 1e30, "units");
-    require_range("clip far", frame.clip_far, frame.clip_near, 1e30, "units");
-    require_range("metres_per_unit", frame.metres_per_unit, 1e-9, 1e9, "m");
     camera_ = frame;
+    camera_motion_ = std::move(motion);
     has_camera_ = true;
 }
 

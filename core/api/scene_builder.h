@@ -21,7 +21,7 @@ class SceneBuilder {
 public:
     // Each of these returns the number by which the thing is referred to later, and throws
     // std::invalid_argument that names what is wrong.
-    std::size_t add_mesh(Mesh mesh);
+    std::size_t add_geometry(Geometry geometry);
     // What `surface` and `displacement` (shown as bump) of the graph make; nothing is black.
     std::size_t add_material(const std::string& name,
                              const NodeGraph& graph,
@@ -39,7 +39,8 @@ public:
     void set_world(const NodeGraph& graph,
                    const std::optional<NodeOutput>& surface,
                    const AovsByName& aovs = {});
-    void set_camera(const CameraFrame& frame);
+    // `motion`: frames of the same size at the times of scene/motion.h, or none.
+    void set_camera(const CameraFrame& frame, std::vector<CameraFrame> motion = {});
     [[nodiscard]] TextureSet& textures();
 
     // The number of a light group; none for the empty name.
@@ -58,6 +59,7 @@ public:
     [[nodiscard]] const SceneData& data() const { return data_; }
     // Throws std::invalid_argument if set_camera was never called.
     [[nodiscard]] const CameraFrame& camera() const;
+    [[nodiscard]] const std::vector<CameraFrame>& camera_motion() const { return camera_motion_; }
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:
@@ -69,6 +71,7 @@ private:
     std::shared_ptr<const void> lease_ = std::make_shared<int>();
     SceneData data_;
     CameraFrame camera_;
+    std::vector<CameraFrame> camera_motion_;
     bool has_camera_ = false;
     std::vector<std::string> warnings_;
 };

@@ -1,7 +1,10 @@
 #include "render/camera.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace eye_render {
 
@@ -14,6 +17,34 @@ V2d CameraFrame::chief_slope(const V2d& raster) const
 V2d CameraFrame::pixel_slope_size() const
 {
     return {(slope_right - slope_left) / width_px, (slope_top - slope_bottom) / height_px};
+}
+
+void validate(const CameraFrame& frame)
+{
+    // Also refuses NaN. A sheared parent may tilt the axes against each other, but not flatten
+    // them.
+    if (!(std::abs(frame.axis_x.dot(frame.axis_y.cross(frame.axis_z))) > 1e-6)) {
+        throw std::invalid_argument(
+            "the camera's axes span no space; expected an invertible matrix");
+    }
+    for (const double coordinate :
+         {frame.position_world.x, frame.position_world.y, frame.position_world.z}) {
+        require_range("camera position", coordinate, -1e30, 1e30, "units");
+    }
+    require_range("resolution x", frame.width_px, 1, 65536, "px");
+    require_range("resolution y", frame.height_px, 1, 65536, "px");
+    require_range("border x0", frame.border.x0, 0, frame.width_px - 1, "px");
+    require_range("border y0", frame.border.y0, 0, frame.height_px - 1, "px");
+    require_range("border x1", frame.border.x1, frame.border.x0 + 1, frame.width_px, "px");
+    require_range("border y1", frame.border.y1, frame.border.y0 + 1, frame.height_px, "px");
+    // 1e4 is a field of view of 179.99 degrees: wider is no perspective camera.
+    require_range("slope_left", frame.slope_left, -1e4, 1e4, "");
+    require_range("slope_bottom", frame.slope_bottom, -1e4, 1e4, "");
+    require_range("slope_right", frame.slope_right, frame.slope_left + 1e-9, 1e4, "");
+    require_range("slope_top", frame.slope_top, frame.slope_bottom + 1e-9, 1e4, "");
+    require_range("clip near", frame.clip_near, 0.0, 1e30, "units");
+    require_range("clip far", frame.clip_far, frame.clip_near, 1e30, "units");
+    require_range("metres_per_unit", frame.metres_per_unit, 1e-9, 1e9, "m");
 }
 
 CameraRay camera_ray(const CameraFrame& frame,

@@ -47,6 +47,9 @@ struct CameraFrame {
     [[nodiscard]] V2d pixel_slope_size() const;
 };
 
+// Throws std::invalid_argument for a number out of range.
+void validate(const CameraFrame& frame);
+
 // As nodes see the camera.
 [[nodiscard]] ViewFrame view_frame(const CameraFrame& frame);
 

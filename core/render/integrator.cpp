@@ -89,7 +89,9 @@ public:
             last_->pdf = sample->pdf;
             last_->is_delta = sample->is_delta;
             travelled_ = 0.0f;
-            ray = {.origin = hit->origin_towards(sample->wi), .direction = sample->wi};
+            ray = {.origin = hit->origin_towards(sample->wi),
+                   .direction = sample->wi,
+                   .time = ray.time};
             if (!survives_roulette(u[3])) {
                 break;
             }

@@ -36,7 +36,7 @@ struct Scattering {
 // surface would miss that place by the offset.
 [[nodiscard]] inline Ray shadow_ray(const SurfaceHit& hit, const IncomingLight& light)
 {
-    Ray ray{.origin = hit.origin_towards(light.wi), .direction = light.wi};
+    Ray ray{.origin = hit.origin_towards(light.wi), .direction = light.wi, .time = hit.time};
     if (std::isfinite(light.distance)) {
         const V3f to_light = hit.p_world + light.wi * light.distance - ray.origin;
         ray.t_max = to_light.length();

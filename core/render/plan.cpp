@@ -3,7 +3,6 @@
 #include "render/blur_bound.h"
 
 #include <Imath/ImathBox.h>
-#include <Imath/ImathBoxAlgo.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,43 +13,45 @@ namespace eye_render {
 
 namespace {
 
-Imath::Box3d bounds_of(const Mesh& mesh)
+// Distance along the viewing axis of the nearest corner of the box, not nearer than the clipping
+// plane; infinity for a box that is behind it.
+double nearest_depth(const Imath::Box3f& box,
+                     const M44d& world_from_object,
+                     const CameraFrame& frame)
 {
-    Imath::Box3d box;
-    for (const V3f& p : mesh.positions) {
-        box.extendBy(V3d(p));
+    double nearest_corner = std::numeric_limits<double>::infinity();
+    double farthest_corner = -nearest_corner;
+    for (int corner = 0; corner < 8; ++corner) {
+        const V3d p_object((corner & 1) != 0 ? box.max.x : box.min.x,
+                           (corner & 2) != 0 ? box.max.y : box.min.y,
+                           (corner & 4) != 0 ? box.max.z : box.min.z);
+        const V3d from_eye = p_object * world_from_object - frame.position_world;
+        const double depth = -from_eye.dot(frame.axis_z);
+        nearest_corner = std::min(nearest_corner, depth);
+        farthest_corner = std::max(farthest_corner, depth);
     }
-    return box;
+    return farthest_corner > frame.clip_near ? std::max(nearest_corner, frame.clip_near)
+                                             : std::numeric_limits<double>::infinity();
 }
 
-// Distance along the viewing axis of the nearest thing in front of the eye, not nearer than the
-// clipping plane; infinity when there is nothing. Boxes stand for meshes, so it is a lower bound.
+// Of the nearest thing in front of the eye; infinity when there is nothing. Boxes stand for
+// geometries, so it is a lower bound; what moves is looked at in all of its known places.
 double nearest_depth(const SceneData& scene, const CameraFrame& frame)
 {
-    std::vector<Imath::Box3d> mesh_bounds;
-    mesh_bounds.reserve(scene.meshes.size());
-    for (const Mesh& mesh : scene.meshes) {
-        mesh_bounds.push_back(bounds_of(mesh));
+    std::vector<Imath::Box3f> bounds;
+    bounds.reserve(scene.geometries.size());
+    for (const Geometry& geometry : scene.geometries) {
+        bounds.push_back(bounds_of(geometry));
     }
     double nearest = std::numeric_limits<double>::infinity();
     for (const InstanceData& instance : scene.instances) {
-        const Imath::Box3d& box = mesh_bounds[instance.mesh];
+        const Imath::Box3f& box = bounds[instance.geometry];
         if (box.isEmpty()) {
             continue;
         }
-        double nearest_corner = std::numeric_limits<double>::infinity();
-        double farthest_corner = -nearest_corner;
-        for (int corner = 0; corner < 8; ++corner) {
-            const V3d p_object((corner & 1) != 0 ? box.max.x : box.min.x,
-                               (corner & 2) != 0 ? box.max.y : box.min.y,
-                               (corner & 4) != 0 ? box.max.z : box.min.z);
-            const V3d from_eye = p_object * instance.world_from_object - frame.position_world;
-            const double depth = -from_eye.dot(frame.axis_z);
-            nearest_corner = std::min(nearest_corner, depth);
-            farthest_corner = std::max(farthest_corner, depth);
-        }
-        if (farthest_corner > frame.clip_near) {
-            nearest = std::min(nearest, std::max(nearest_corner, frame.clip_near));
+        nearest = std::min(nearest, nearest_depth(box, instance.world_from_object, frame));
+        for (const M44d& place : instance.motion) {
+            nearest = std::min(nearest, nearest_depth(box, place, frame));
         }
     }
     return nearest;
@@ -59,13 +60,18 @@ double nearest_depth(const SceneData& scene, const CameraFrame& frame)
 // Blur diameter in pixels.
 double largest_blur_px(const SceneData& scene,
                        const CameraFrame& frame,
+                       const std::vector<CameraFrame>& camera_motion,
                        const EyeModel& eye,
                        bool chromatic)
 {
     if (eye.pupil_diameter_m() <= 0.0) {
         return 0.0;
     }
-    const double nearest_m = nearest_depth(scene, frame) * frame.metres_per_unit;
+    double nearest = nearest_depth(scene, frame);
+    for (const CameraFrame& pose : camera_motion) {
+        nearest = std::min(nearest, nearest_depth(scene, pose));
+    }
+    const double nearest_m = nearest * frame.metres_per_unit;
     if (nearest_m <= 0.0) {
         return std::numeric_limits<double>::infinity();
     }
@@ -93,6 +99,17 @@ std::vector<std::string> names_of(const std::vector<int>& layers, const Lookup& 
     return result;
 }
 
+void count_primitives(RenderPlan& plan, const Geometry& geometry)
+{
+    if (const Mesh* mesh = std::get_if<Mesh>(&geometry)) {
+        plan.triangles += mesh->triangles.size();
+    } else if (const Curves* curves = std::get_if<Curves>(&geometry)) {
+        plan.strands += curves->first_keys.size();
+    } else {
+        plan.points += std::get<Points>(geometry).points.size();
+    }
+}
+
 void plan_lights(RenderPlan& plan, const SceneData& scene)
 {
     for (const LampData& lamp : scene.lamps) {
@@ -111,11 +128,12 @@ void plan_lights(RenderPlan& plan, const SceneData& scene)
 RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
 {
     RenderPlan plan;
-    std::vector<std::size_t> uses(scene.meshes.size(), 0);
+    std::vector<std::size_t> uses(scene.geometries.size(), 0);
     std::vector<const Material*> materials;
     for (const InstanceData& instance : scene.instances) {
-        plan.triangles += scene.meshes[instance.mesh].triangles.size();
-        plan.instanced_meshes += ++uses[instance.mesh] == 2 ? 1 : 0;
+        count_primitives(plan, scene.geometries[instance.geometry]);
+        plan.instanced_meshes += ++uses[instance.geometry] == 2 ? 1 : 0;
+        plan.moving_objects += instance.motion.empty() ? 0 : 1;
         for (const std::size_t material : instance.materials) {
             materials.push_back(&scene.materials[material]);
         }
@@ -124,6 +142,8 @@ RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
         plan.shadow_catcher = plan.shadow_catcher || instance.is_shadow_catcher;
     }
     plan.placements = scene.instances.size();
+    plan.deforming_meshes =
+        static_cast<std::size_t>(std::ranges::count_if(scene.geometries, deforms));
     for (const Material* material : materials) {
         plan.emissive_meshes = plan.emissive_meshes || material->surface.may_emit();
         plan.transparent_shadows =
@@ -142,9 +162,11 @@ void plan_lens(RenderPlan& plan,
                const CameraFrame& frame,
                const EyeModel& eye,
                bool chromatic,
-               bool stiles_crawford)
+               bool stiles_crawford,
+               const std::vector<CameraFrame>& camera_motion)
 {
-    plan.largest_blur_px = largest_blur_px(scene, frame, eye, chromatic);
+    plan.moving_camera = !camera_motion.empty();
+    plan.largest_blur_px = largest_blur_px(scene, frame, camera_motion, eye, chromatic);
     // Narrower blur disappears in the pixel filter, so that a pull of focus shows no step where
     // the lens comes in: at an edge from black to white it is 0.0006 of the contrast, 0.4 of the
     // 256 levels of sRGB, where blur of a pixel would bring 0.037 and 19 levels. NaN falls to the
@@ -158,8 +180,10 @@ void plan_lens(RenderPlan& plan,
 std::string RenderPlan::text() const
 {
     std::ostringstream out;
-    out << "geometry: " << triangles << " triangles in " << placements << " objects, "
-        << instanced_meshes << " meshes instanced\n";
+    out << "geometry: " << triangles << " triangles"
+        << (strands > 0 ? ", " + std::to_string(strands) + " strands" : "")
+        << (points > 0 ? ", " + std::to_string(points) + " points" : "") << " in " << placements
+        << " objects, " << instanced_meshes << " meshes instanced\n";
     out << "images: " << images << (images == 0 ? " (OpenImageIO not started)" : "")
         << "; UV layers read: " << quoted_list(uv_layers)
         << "; attributes read: " << quoted_list(attributes) << '\n';
@@ -170,6 +194,13 @@ std::string RenderPlan::text() const
     out << "lens: " << (lens ? "sampled" : "pinhole") << ", largest blur at most "
         << largest_blur_px << " px; wavelengths: " << (chromatic ? "sampled" : "one")
         << "; Stiles-Crawford: " << (stiles_crawford ? "on" : "off") << '\n';
+    out << "motion: ";
+    if (moves()) {
+        out << moving_objects << " objects move, " << deforming_meshes << " meshes deform, camera "
+            << (moving_camera ? "moves" : "still") << '\n';
+    } else {
+        out << "none\n";
+    }
     if (shadow_catcher) {
         out << "shadow catchers: a second path where the camera sees one\n";
     }

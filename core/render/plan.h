@@ -14,8 +14,11 @@ namespace eye_render {
 
 struct RenderPlan {
     std::size_t triangles = 0;
+    std::size_t strands = 0;
+    std::size_t points = 0;
     std::size_t placements = 0;
-    std::size_t instanced_meshes = 0;    // placed more than once, so built once and referred to
+    // Or strands or points: placed more than once, so built once and referred to.
+    std::size_t instanced_meshes = 0;
     std::size_t images = 0;              // 0: OpenImageIO is not started
     std::vector<std::string> uv_layers;  // read by some material; "" is a mesh's first layer
     std::vector<std::string> attributes;
@@ -31,7 +34,16 @@ struct RenderPlan {
     bool chromatic = false;            // a wavelength for each path, if there is blur to show it
     bool stiles_crawford = false;      // the pupil is weighed, if there is blur to show it
     bool shadow_catcher = false;       // some object shows only its shadows
+    std::size_t moving_objects = 0;    // while the shutter is open
+    std::size_t deforming_meshes = 0;  // or strands or points
+    bool moving_camera = false;
     std::vector<PassRequest> passes;
+
+    // Every path has a time.
+    [[nodiscard]] bool moves() const
+    {
+        return moving_objects > 0 || deforming_meshes > 0 || moving_camera;
+    }
 
     // One fact a line, for people.
     [[nodiscard]] std::string text() const;
@@ -41,12 +53,14 @@ struct RenderPlan {
 [[nodiscard]] RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes);
 
 // Adds what the eye shows of the scene: how much it blurs at most, whether that is to be seen, and
-// with it what depends on the point of the pupil.
+// with it what depends on the point of the pupil. `camera_motion`: its frames at the times of
+// scene/motion.h, or nothing.
 void plan_lens(RenderPlan& plan,
                const SceneData& scene,
                const CameraFrame& frame,
                const EyeModel& eye,
                bool chromatic = false,
-               bool stiles_crawford = false);
+               bool stiles_crawford = false,
+               const std::vector<CameraFrame>& camera_motion = {});
 
 }  // namespace eye_render

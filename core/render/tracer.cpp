@@ -48,6 +48,26 @@ bool for_each_tile(Film& film, const std::atomic<bool>& cancelled, const Work& w
     return !cancelled.load();
 }
 
+// The scene is laid out relative to where the eye is half way; at other times the eye itself
+// moves.
+CameraRay ray_at(const RenderJob& job,
+                 float time,
+                 const V2d& raster,
+                 const V2d& pupil_point_m,
+                 double wavelength_nm)
+{
+    std::optional<CameraFrame> moved;
+    if (job.camera_motion) {
+        moved = job.camera_motion->at(time);
+    }
+    const CameraFrame& frame = moved ? *moved : job.frame;
+    CameraRay camera =
+        camera_ray(frame, *job.eye, frame.chief_slope(raster), pupil_point_m, wavelength_nm);
+    camera.ray.origin += V3f(frame.position_world - job.frame.position_world);
+    camera.ray.time = time;
+    return camera;
+}
+
 PathSample trace_sample(const RenderJob& job,
                         int x,
                         int y,
@@ -80,8 +100,8 @@ PathSample trace_sample(const RenderJob& job,
         wavelength_nm = sample_wavelength_nm(sequence.next()[0]);
         sample.channel_weight = display_primaries(wavelength_nm) / wavelength_pdf(wavelength_nm);
     }
-    const CameraRay camera = camera_ray(job.frame, *job.eye, job.frame.chief_slope(raster),
-                                        sample.pupil_point_m, wavelength_nm);
+    const float time = job.moves ? sequence.next()[0] : shutter_middle;
+    const CameraRay camera = ray_at(job, time, raster, sample.pupil_point_m, wavelength_nm);
     sample.fate = camera.fate;
     if (job.stiles_crawford) {
         sample.weight = job.stiles_crawford->weight(sample.pupil_point_m);

@@ -5,6 +5,7 @@
 #include "eye/eye_model.h"
 #include "eye/pupil_pattern.h"
 #include "eye/stiles_crawford.h"
+#include "render/camera_motion.h"
 #include "render/film.h"
 #include "render/pixel_filter.h"
 
@@ -25,6 +26,9 @@ struct SampleRange {
 struct RenderJob {
     std::shared_ptr<const Scene> scene;
     CameraFrame frame;
+    std::optional<CameraMotion> camera_motion{};  // nothing: `frame` at all times
+    // Every path has a time of its own; else all have the shutter's middle.
+    bool moves = false;
     std::shared_ptr<const EyeModel> eye;
     PupilPattern pattern;
     // False: all rays pass the pupil's centre (the plan found no blur to show).

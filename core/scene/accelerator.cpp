@@ -1,8 +1,9 @@
 #include "scene/accelerator.h"
 
+#include "scene/accelerator_shapes.h"
 #include "scene/embree.h"
+#include "scene/transform.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,33 +11,6 @@
 namespace eye_render {
 
 namespace {
-
-// Copies a mesh into `scene` as geometry number `id`; returns Embree's copy of the positions,
-// which it pads for its vector loads.
-std::span<const V3f> attach_triangles(RTCDevice device,
-                                      RTCScene scene,
-                                      std::uint32_t id,
-                                      std::span<const V3f> positions,
-                                      std::span<const TriangleIndices> triangles)
-{
-    RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertex_buffer = static_cast<V3f*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(V3f), positions.size()));
-    auto* index_buffer = static_cast<TriangleIndices*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                sizeof(TriangleIndices), triangles.size()));
-    if (vertex_buffer == nullptr || index_buffer == nullptr) {
-        rtcReleaseGeometry(geometry);
-        throw std::runtime_error("no memory for " + std::to_string(triangles.size()) +
-                                 " triangles");
-    }
-    std::ranges::copy(positions, vertex_buffer);
-    std::ranges::copy(triangles, index_buffer);
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometryByID(scene, geometry, id);
-    rtcReleaseGeometry(geometry);
-    return {vertex_buffer, positions.size()};
-}
 
 // False for NaN and infinity in origin or direction, and for NaN as a limit.
 bool is_traceable(const Ray& ray)
@@ -56,7 +30,7 @@ RTCRay to_embree(const Ray& ray)
     r.dir_z = ray.direction.z;
     r.tnear = ray.t_min;
     r.tfar = ray.t_max;
-    r.time = 0.0f;
+    r.time = ray.time;
     r.mask = ~0u;
     r.id = 0;
     r.flags = 0;
@@ -99,40 +73,57 @@ void Accelerator::check_device() const
     }
 }
 
-std::uint32_t Accelerator::add_flat(std::span<const V3f> positions,
-                                    std::span<const TriangleIndices> triangles)
+std::uint32_t Accelerator::attach(RTCSceneTy* scene, std::uint32_t id, const Shape& shape)
 {
-    const auto placement = static_cast<std::uint32_t>(placement_positions_.size());
-    placement_positions_.push_back(
-        attach_triangles(device_.get(), root_.get(), placement, positions, triangles));
+    EmbreeShape made = make_embree_shape(device_.get(), shape);
+    rtcAttachGeometryByID(scene, made.geometry, id);
+    rtcReleaseGeometry(made.geometry);
+    positions_.push_back(std::move(made.positions));
+    return static_cast<std::uint32_t>(positions_.size() - 1);
+}
+
+std::uint32_t Accelerator::add_flat(const Shape& shape)
+{
+    const auto placement = static_cast<std::uint32_t>(shape_of_placement_.size());
+    shape_of_placement_.push_back(attach(root_.get(), placement, shape));
     return placement;
 }
 
-Accelerator::Prototype Accelerator::add_prototype(std::span<const V3f> positions,
-                                                  std::span<const TriangleIndices> triangles)
+Accelerator::Prototype Accelerator::add_prototype(const Shape& shape)
 {
-    prototypes_.push_back(new_scene());
-    RTCSceneTy* scene = prototypes_.back().get();
-    prototype_positions_.push_back(
-        attach_triangles(device_.get(), scene, 0, positions, triangles));
-    rtcCommitScene(scene);
+    SceneHandle scene = new_scene();
+    const std::uint32_t number = attach(scene.get(), 0, shape);
+    rtcCommitScene(scene.get());
     check_device();
-    return prototypes_.size() - 1;
+    prototypes_.push_back({std::move(scene), number});
+    return static_cast<Prototype>(prototypes_.size() - 1);
 }
 
-std::uint32_t Accelerator::place(Prototype prototype, const M44f& world_from_object)
+std::uint32_t Accelerator::place(Prototype prototype, std::span<const M44d> world_from_object)
 {
-    const auto placement = static_cast<std::uint32_t>(placement_positions_.size());
+    const auto placement = static_cast<std::uint32_t>(shape_of_placement_.size());
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
-    rtcSetGeometryInstancedScene(geometry, prototypes_[prototype].get());
-    // Imath's row-vector matrix in row order is Embree's column-vector matrix in column order.
-    rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
-                            world_from_object.getValue());
+    rtcSetGeometryInstancedScene(geometry, prototypes_[prototype].scene.get());
+    if (world_from_object.size() == 1) {
+        // Imath's row-vector matrix in row order is Embree's column-vector matrix in column order.
+        rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR,
+                                to_float(world_from_object.front()).getValue());
+    } else {
+        set_embree_motion(geometry, world_from_object);
+    }
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(root_.get(), geometry, placement);
     rtcReleaseGeometry(geometry);
-    placement_positions_.push_back(prototype_positions_[prototype]);
+    shape_of_placement_.push_back(prototypes_[prototype].shape);
     return placement;
+}
+
+M44f Accelerator::world_from_object(std::uint32_t placement, float time) const
+{
+    M44f matrix;
+    rtcGetGeometryTransform(rtcGetGeometry(root_.get(), placement), time,
+                            RTC_FORMAT_FLOAT4X4_COLUMN_MAJOR, matrix.getValue());
+    return matrix;
 }
 
 void Accelerator::build()
@@ -160,7 +151,7 @@ std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray) const
                           .u = query.hit.u,
                           .v = query.hit.v,
                           .placement = is_instance ? query.hit.instID[0] : query.hit.geomID,
-                          .triangle = query.hit.primID};
+                          .primitive = query.hit.primID};
 }
 
 bool Accelerator::occluded(const Ray& ray) const

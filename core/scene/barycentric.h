@@ -24,25 +24,20 @@ template <typename T>
     return interpolate(per_corner[first], per_corner[first + 1], per_corner[first + 2], u, v);
 }
 
-// Of values that have one entry a vertex.
-template <typename T>
-[[nodiscard]] T interpolate_vertices(const std::vector<T>& per_vertex,
-                                     const TriangleIndices& corner,
-                                     float u,
-                                     float v)
-{
-    return interpolate(per_vertex[corner[0]], per_vertex[corner[1]], per_vertex[corner[2]], u, v);
-}
-
 // In object space, of any length; the mesh is not flat.
 [[nodiscard]] inline V3f interpolated_normal(const Mesh& mesh,
                                              std::uint32_t triangle,
                                              float u,
-                                             float v)
+                                             float v,
+                                             float time)
 {
-    return mesh.normal_domain == NormalDomain::PerVertex
-               ? interpolate_vertices(mesh.normals, mesh.triangles[triangle], u, v)
-               : interpolate_corners(mesh.normals, triangle, u, v);
+    const auto normal = [&](std::size_t corner) {
+        const std::size_t index = mesh.normal_domain == NormalDomain::PerVertex
+                                      ? mesh.triangles[triangle][corner]
+                                      : 3 * std::size_t{triangle} + corner;
+        return at_time(mesh.normals, mesh.motion_normals, index, time);
+    };
+    return interpolate(normal(0), normal(1), normal(2), u, v);
 }
 
 }  // namespace eye_render

@@ -1,4 +1,4 @@
-// Embree 3 and 4 behind one spelling. Only accelerator.cpp includes this file, and no other file
+// Embree 3 and 4 behind one spelling. Only accelerator*.cpp include this file, and no other file
 // of the project includes Embree.
 
 #pragma once

@@ -1,7 +1,5 @@
 #include "scene/mesh.h"
 
-#include <Imath/ImathBox.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -27,31 +25,26 @@ void check_length(const Mesh& mesh,
     }
 }
 
+void validate_motion(const Mesh& mesh)
+{
+    if (mesh.motion_positions.size() == 1) {
+        refuse(mesh, "motion has 1 step; expected none or at least 2");
+    }
+    for (const std::vector<V3f>& step : mesh.motion_positions) {
+        check_length(mesh, "a step of the motion", step.size(), mesh.positions.size());
+    }
+    const bool has_normals =
+        mesh.normal_domain != NormalDomain::Flat && !mesh.motion_positions.empty();
+    check_length(mesh, "the motion's normals", mesh.motion_normals.size(),
+                 has_normals ? mesh.motion_positions.size() : 0);
+    for (const std::vector<V3f>& step : mesh.motion_normals) {
+        check_length(mesh, "a step of the motion's normals", step.size(), mesh.normals.size());
+    }
+}
+
 bool is_finite(const V3f& p) { return std::isfinite(p.x + p.y + p.z); }
 
 }  // namespace
-
-TextureSpace texture_space_of(const Mesh& mesh)
-{
-    Imath::Box3f box;
-    for (const V3f& p : mesh.positions) {
-        if (is_finite(p)) {
-            box.extendBy(p);
-        }
-    }
-    if (box.isEmpty()) {
-        return {};
-    }
-    TextureSpace space{.origin = box.min, .size = box.size()};
-    for (int axis = 0; axis < 3; ++axis) {
-        // A flat mesh has one coordinate in its middle, as in Blender.
-        if (!(space.size[axis] > 0.0f)) {
-            space.size[axis] = 1.0f;
-            space.origin[axis] -= 0.5f;
-        }
-    }
-    return space;
-}
 
 void validate(const Mesh& mesh)
 {
@@ -93,17 +86,28 @@ void validate(const Mesh& mesh)
         check_length(mesh, "attribute '" + attribute.name + "'", attribute.per_corner.size(),
                      corners);
     }
+    validate_motion(mesh);
 }
 
 std::size_t drop_broken_triangles(Mesh& mesh)
 {
-    const auto is_broken = [&mesh](const TriangleIndices& triangle) {
-        return std::ranges::any_of(
-            triangle, [&mesh](std::uint32_t index) { return !is_finite(mesh.positions[index]); });
+    std::vector<std::vector<V3f>*> poses{&mesh.positions};
+    for (std::vector<V3f>& step : mesh.motion_positions) {
+        poses.push_back(&step);
+    }
+    const auto is_whole = [](const std::vector<V3f>* pose) {
+        return std::ranges::all_of(*pose, is_finite);
     };
-    if (std::ranges::all_of(mesh.positions, is_finite)) {
+    if (std::ranges::all_of(poses, is_whole)) {
         return 0;
     }
+    const auto is_broken = [&poses](const TriangleIndices& triangle) {
+        return std::ranges::any_of(triangle, [&poses](std::uint32_t index) {
+            return std::ranges::any_of(poses, [index](const std::vector<V3f>* pose) {
+                return !is_finite((*pose)[index]);
+            });
+        });
+    };
     std::vector<bool> keep;
     keep.reserve(mesh.triangles.size());
     for (const TriangleIndices& triangle : mesh.triangles) {
@@ -123,6 +127,9 @@ std::size_t drop_broken_triangles(Mesh& mesh)
     filter(mesh.material_slots, 1);
     if (mesh.normal_domain == NormalDomain::PerCorner) {
         filter(mesh.normals, 3);
+        for (std::vector<V3f>& step : mesh.motion_normals) {
+            filter(step, 3);
+        }
     }
     for (UvLayer& layer : mesh.uv_layers) {
         filter(layer.per_corner, 3);
@@ -130,8 +137,10 @@ std::size_t drop_broken_triangles(Mesh& mesh)
     for (Attribute& attribute : mesh.attributes) {
         filter(attribute.per_corner, 3);
     }
-    for (V3f& p : mesh.positions) {
-        p = is_finite(p) ? p : V3f(0.0f);  // no triangle refers to it any more
+    for (std::vector<V3f>* pose : poses) {
+        for (V3f& p : *pose) {
+            p = is_finite(p) ? p : V3f(0.0f);  // no triangle refers to it any more
+        }
     }
     return before - mesh.triangles.size();
 }

@@ -4,14 +4,17 @@
 #pragma once
 
 #include "base/vector.h"
-#include "scene/accelerator.h"
+#include "scene/motion.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace eye_render {
+
+using TriangleIndices = std::array<std::uint32_t, 3>;
 
 struct UvLayer {
     std::string name;
@@ -42,23 +45,29 @@ struct Mesh {
     std::vector<UvLayer> uv_layers;            // the first is the one that unnamed requests read
     std::vector<Attribute> attributes;
     std::optional<TextureSpace> texture_space;  // nothing: the bounding box of the positions
+    // Positions and normals, if not flat, at the times of motion.h; empty: still. `positions` and
+    // `normals` are those at the shutter's middle.
+    std::vector<std::vector<V3f>> motion_positions;
+    std::vector<std::vector<V3f>> motion_normals;
 
+    [[nodiscard]] std::array<V3f, 3> corners(std::uint32_t triangle, float time) const
+    {
+        const auto corner = [&](std::size_t i) {
+            return at_time(positions, motion_positions, triangles[triangle][i], time);
+        };
+        return {corner(0), corner(1), corner(2)};
+    }
     [[nodiscard]] std::size_t slot(std::uint32_t triangle) const
     {
         return material_slots.empty() ? 0 : static_cast<std::size_t>(material_slots[triangle]);
     }
 };
 
-// Of a mesh that says none: its bounding box, at least a little wide.
-[[nodiscard]] TextureSpace texture_space_of(const Mesh& mesh);
-
 // Throws std::invalid_argument when an index or a length is out of range; such meshes
 // are refused here so that no query has to look.
 void validate(const Mesh& mesh);
 
-// Leaves out the triangles of a valid mesh with a corner that is not finite; returns how many. One
-// bad vertex must not cost a user the picture, and must not reach the boxes that plan and lights
-// are made from.
+// Leaves out the triangles of a valid mesh with a corner that is not finite; returns how many.
 std::size_t drop_broken_triangles(Mesh& mesh);
 
 }  // namespace eye_render

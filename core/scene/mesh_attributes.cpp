@@ -9,18 +9,13 @@ namespace eye_render {
 
 V3f MeshAttributes::position_object() const
 {
-    return interpolate_vertices(placement_.mesh->positions, corner(), u_, v_);
+    const auto [p0, p1, p2] = mesh_.corners(primitive_, time_);
+    return interpolate(p0, p1, p2, u_, v_);
 }
 
 V3f MeshAttributes::position_world() const
 {
-    return {V3d(position_object() * placement_.world_from_object) + frame_.eye_position_world};
-}
-
-V3f MeshAttributes::generated() const
-{
-    const TextureSpace& space = *placement_.texture_space;
-    return (position_object() - space.origin) / space.size;
+    return {V3d(position_object() * pose_.world_from_object) + frame_.eye_position_world};
 }
 
 V2f MeshAttributes::uv(int uv_layer) const
@@ -29,8 +24,8 @@ V2f MeshAttributes::uv(int uv_layer) const
     if (layer == LayerLookup::none) {
         return V2f(0.0f);
     }
-    return interpolate_corners(
-        placement_.mesh->uv_layers[static_cast<std::size_t>(layer)].per_corner, triangle_, u_, v_);
+    return interpolate_corners(mesh_.uv_layers[static_cast<std::size_t>(layer)].per_corner,
+                               primitive_, u_, v_);
 }
 
 TangentFrame MeshAttributes::tangent(int uv_layer) const
@@ -39,19 +34,19 @@ TangentFrame MeshAttributes::tangent(int uv_layer) const
     if (layer == LayerLookup::none) {
         return {};
     }
-    const Mesh& mesh = *placement_.mesh;
-    const auto& uvs = mesh.uv_layers[static_cast<std::size_t>(layer)].per_corner;
-    const std::size_t first = 3 * std::size_t{triangle_};
+    const auto& uvs = mesh_.uv_layers[static_cast<std::size_t>(layer)].per_corner;
+    const std::size_t first = 3 * std::size_t{primitive_};
     const V2f uv1 = uvs[first + 1] - uvs[first];
     const V2f uv2 = uvs[first + 2] - uvs[first];
-    const V3f e1 = mesh.positions[corner()[1]] - mesh.positions[corner()[0]];
-    const V3f e2 = mesh.positions[corner()[2]] - mesh.positions[corner()[0]];
+    const auto [p0, p1, p2] = mesh_.corners(primitive_, time_);
+    const V3f e1 = p1 - p0;
+    const V3f e2 = p2 - p0;
     const float area = uv1.x * uv2.y - uv1.y * uv2.x;
     // Directions keep their side under the plain matrix, so the frame's handedness is the map's,
     // reversed where the object is mirrored.
     V3f tangent;
-    placement_.world_from_object.multDirMatrix(
-        (e1 * uv2.y - e2 * uv1.y) * (area < 0.0f ? -1.0f : 1.0f), tangent);
+    pose_.world_from_object.multDirMatrix((e1 * uv2.y - e2 * uv1.y) * (area < 0.0f ? -1.0f : 1.0f),
+                                          tangent);
     const float length = tangent.length();
     if (!(length > 0.0f)) {
         return {};
@@ -64,24 +59,18 @@ AttributeValue MeshAttributes::attribute(int attribute) const
 {
     const int layer = placement_.layers->attributes[static_cast<std::size_t>(attribute)];
     if (layer == LayerLookup::none) {
-        for (const ObjectProperty& property : placement_.look.properties) {
-            if (property.attribute == attribute) {
-                return {.value = property.value, .exists = true};
-            }
-        }
-        return {};
+        return object_property(attribute);
     }
     return {.value = interpolate_corners(
-                placement_.mesh->attributes[static_cast<std::size_t>(layer)].per_corner, triangle_,
-                u_, v_),
+                mesh_.attributes[static_cast<std::size_t>(layer)].per_corner, primitive_, u_, v_),
             .exists = true};
 }
 
 std::array<V3f, 3> MeshAttributes::corners_world() const
 {
-    std::array<V3f, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) {
-        corners[i] = placement_.mesh->positions[corner()[i]] * placement_.world_from_object;
+    std::array<V3f, 3> corners = mesh_.corners(primitive_, time_);
+    for (V3f& p : corners) {
+        p = p * pose_.world_from_object;
     }
     return corners;
 }
@@ -101,35 +90,16 @@ float MeshAttributes::edge_distance() const
 
 V3f MeshAttributes::smooth_normal() const
 {
-    const Mesh& mesh = *placement_.mesh;
     const auto [p0, p1, p2] = corners_world();
     V3f flat = unit_or((p1 - p0).cross(p2 - p0), V3f(0.0f, 0.0f, 1.0f));
     if (placement_.is_mirrored) {
         flat = -flat;
     }
-    return mesh.normal_domain == NormalDomain::Flat
+    return mesh_.normal_domain == NormalDomain::Flat
                ? flat
-               : unit_or(interpolated_normal(mesh, triangle_, u_, v_) *
-                             placement_.world_from_object_normal,
+               : unit_or(interpolated_normal(mesh_, primitive_, u_, v_, time_) *
+                             pose_.world_from_object_normal,
                          flat);
-}
-
-const ObjectFacts& MeshAttributes::object() const
-{
-    if (!object_) {
-        M44d world_from_object(placement_.world_from_object);
-        for (int axis = 0; axis < 3; ++axis) {
-            world_from_object[3][axis] += frame_.eye_position_world[axis];
-        }
-        object_ = ObjectFacts{.world_from_object = M44f(world_from_object),
-                              .object_from_world = M44f(world_from_object.inverse()),
-                              .color = placement_.look.color,
-                              .pass_index = placement_.look.pass_index,
-                              .material_index =
-                                  static_cast<float>(placement_.material(triangle_).pass_index),
-                              .random = placement_.look.random};
-    }
-    return *object_;
 }
 
 void MeshAttributes::moved(const V3f& offset,
@@ -149,8 +119,8 @@ void MeshAttributes::moved(const V3f& offset,
     }
     const float d1 = e1.dot(offset);
     const float d2 = e2.dot(offset);
-    look(MeshAttributes(placement_, triangle_, u_ + (c * d1 - b * d2) / determinant,
-                        v_ + (a * d2 - b * d1) / determinant, frame_));
+    look(MeshAttributes(placement_, pose_, primitive_, u_ + (c * d1 - b * d2) / determinant,
+                        v_ + (a * d2 - b * d1) / determinant, time_, frame_));
 }
 
 }  // namespace eye_render

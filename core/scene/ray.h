@@ -3,6 +3,7 @@
 #pragma once
 
 #include "base/vector.h"
+#include "scene/motion.h"
 
 #include <limits>
 
@@ -13,6 +14,7 @@ struct Ray {
     V3f direction{0.0f, 0.0f, -1.0f};  // unit
     float t_min = 0.0f;
     float t_max = std::numeric_limits<float>::infinity();
+    float time = shutter_middle;  // from 0 to 1 while the shutter is open
 };
 
 // Moves a surface point off its surface to the side of the unit normal `n`: by `error`, how far

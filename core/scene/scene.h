@@ -11,8 +11,8 @@
 #include "scene/lamp_attributes.h"
 #include "scene/lamp_tree.h"
 #include "scene/light_sampler.h"
-#include "scene/mesh_attributes.h"
 #include "scene/scene_data.h"
+#include "scene/scene_frame.h"
 #include "scene/surface_hit.h"
 
 #include <functional>
@@ -157,15 +157,20 @@ public:
     }
 
 private:
-    [[nodiscard]] MeshAttributes attributes(const SurfaceHit& hit) const
-    {
-        return {*hit.placement, hit.triangle, hit.u, hit.v, frame_};
-    }
+    // What `look` says about the attributes of the place that was hit.
+    template <typename Look>
+    [[nodiscard]] auto look_at(const SurfaceHit& hit, const Look& look) const;
+    // The placement's own, or made in `moved` for one that moves.
+    [[nodiscard]] const Pose& pose_at(const Placement& placement,
+                                      float time,
+                                      std::optional<Pose>& moved) const;
     // Radiance that the triangle sends from the point with these weights towards `wo`.
     [[nodiscard]] Color3f emission(const Emitter& emitter,
                                    const V2f& weights,
                                    const V3f& wo) const;
     void add_placements();
+    [[nodiscard]] std::vector<const Material*> materials_of(const InstanceData& instance) const;
+    void note_visibility(const Placement& placement);
     void add_lamps();
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
     // What the nodes of a lamp multiply its light by.
@@ -185,8 +190,8 @@ private:
     SceneFrame frame_;
     Material grey_ = plain_material("BSDF_DIFFUSE", {});
     Accelerator accelerator_;
-    std::vector<LayerLookup> mesh_layers_;
-    std::vector<TextureSpace> texture_spaces_;  // one a mesh
+    std::vector<LayerLookup> geometry_layers_;
+    std::vector<TextureSpace> texture_spaces_;  // one a geometry
     std::vector<Placement> placements_;
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;

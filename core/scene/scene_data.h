@@ -4,9 +4,9 @@
 #pragma once
 
 #include "base/matte_id.h"
+#include "scene/geometry.h"
 #include "scene/lamp.h"
 #include "scene/light_origin.h"
-#include "scene/mesh.h"
 #include "scene/textures.h"
 #include "scene/visibility.h"
 #include "shading/material.h"
@@ -33,15 +33,18 @@ struct ObjectLook {
 };
 
 struct InstanceData {
-    std::size_t mesh = 0;
+    std::size_t geometry = 0;
     M44d world_from_object;              // row-vector convention
-    std::vector<std::size_t> materials;  // one a slot of the mesh; empty: a grey one
+    std::vector<std::size_t> materials;  // one a slot of a mesh, else one; empty: a grey one
     ObjectLook look{};
     Visibility visibility{};
     bool is_holdout = false;  // cut out of the picture
     bool is_shadow_catcher = false;
     MatteIds matte{};
     int light_group = no_light_group;
+    // Places at the times of motion.h; empty: still. `world_from_object` is that at the shutter's
+    // middle.
+    std::vector<M44d> motion{};
 };
 
 struct LampData {
@@ -54,7 +57,7 @@ struct LampData {
 };
 
 struct SceneData {
-    std::vector<Mesh> meshes;
+    std::vector<Geometry> geometries;
     std::vector<InstanceData> instances;
     std::vector<Material> materials;
     std::vector<LampData> lamps;

@@ -2,6 +2,7 @@
 
 #include "base/warp.h"
 #include "scene/light_path.h"
+#include "scene/mesh_attributes.h"
 #include "scene/scene.h"
 
 #include <cmath>
@@ -19,7 +20,11 @@ constexpr float shadow_margin = 4e-6f;
 void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
 {
     for (Placement& placement : placements_) {
-        const Mesh& mesh = *placement.mesh;
+        const Mesh* const mesh = placement.mesh();
+        // Strands and balls, and what moves or deforms, are found by the rays of BSDFs alone.
+        if (mesh == nullptr || placement.moves || !mesh->motion_positions.empty()) {
+            continue;
+        }
         const bool may_emit =
             std::ranges::any_of(placement.materials, [](const Material* material) {
                 return material->surface.may_emit();
@@ -27,8 +32,8 @@ void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
         if (!may_emit) {
             continue;
         }
-        placement.emitters.assign(mesh.triangles.size(), -1);
-        for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+        placement.emitters.assign(mesh->triangles.size(), -1);
+        for (std::uint32_t t = 0; t < mesh->triangles.size(); ++t) {
             const Material& material = placement.material(t);
             if (!material.surface.may_emit()) {
                 continue;
@@ -66,7 +71,8 @@ Color3f Scene::emission(const Emitter& emitter, const V2f& weights, const V3f& w
 {
     const V3f normal = emitter_normal(emitter);
     const bool backfacing = normal.dot(wo) < 0.0f;
-    const MeshAttributes at(*emitter.placement, emitter.triangle, weights.x, weights.y, frame_);
+    const MeshAttributes at(*emitter.placement, emitter.placement->pose, emitter.triangle,
+                            weights.x, weights.y, shutter_middle, frame_);
     const V3f ng = backfacing ? -normal : normal;
     const V3f ns = at.smooth_normal() * (backfacing ? -1.0f : 1.0f);
     const ShadingPoint point{.wo = wo, .ng = ng, .ns = ns, .backfacing = backfacing};
@@ -77,9 +83,10 @@ Color3f Scene::emission(const Emitter& emitter, const V2f& weights, const V3f& w
 std::array<V3f, 3> Scene::accelerator_corners(const Emitter& emitter) const
 {
     const auto number = static_cast<std::uint32_t>(emitter.placement - placements_.data());
-    const std::span<const V3f> positions = accelerator_.positions(number);
-    const TriangleIndices& corner = emitter.placement->mesh->triangles[emitter.triangle];
-    return {positions[corner[0]], positions[corner[1]], positions[corner[2]]};
+    const MotionSteps<V3f>& positions = accelerator_.positions(number);
+    const TriangleIndices& corner = emitter.placement->mesh()->triangles[emitter.triangle];
+    return {positions.at(corner[0], shutter_middle), positions.at(corner[1], shutter_middle),
+            positions.at(corner[2], shutter_middle)};
 }
 
 std::array<V3f, 3> Scene::corners_world(const Emitter& emitter) const
@@ -87,7 +94,7 @@ std::array<V3f, 3> Scene::corners_world(const Emitter& emitter) const
     std::array<V3f, 3> corners = accelerator_corners(emitter);
     if (!emitter.placement->is_flat) {
         for (V3f& p : corners) {
-            p = p * emitter.placement->world_from_object;
+            p = p * emitter.placement->pose.world_from_object;
         }
     }
     return corners;

@@ -24,8 +24,9 @@ void Scene::visit_object(const Ray& ray,
             return;
         }
         const Placement& met = placements_[found->placement];
-        const SurfaceHit hit =
-            make_surface_hit(rest, *found, met, accelerator_.positions(found->placement));
+        std::optional<Pose> moved;
+        const SurfaceHit hit = make_surface_hit(rest, *found, met, pose_at(met, ray.time, moved),
+                                                accelerator_.positions(found->placement));
         if (&met == &placement && !visit(hit)) {
             return;
         }
@@ -35,8 +36,10 @@ void Scene::visit_object(const Ray& ray,
 
 bool SceneProbe::is_blocked(const V3f& direction, float distance, bool local) const
 {
-    const Ray ray{
-        .origin = hit_.origin_towards(direction), .direction = direction, .t_max = distance};
+    const Ray ray{.origin = hit_.origin_towards(direction),
+                  .direction = direction,
+                  .t_max = distance,
+                  .time = hit_.time};
     if (!local) {
         return scene_.is_blocked(ray);
     }
@@ -53,7 +56,10 @@ void SceneProbe::cross_own_object(const V3f& start,
                                   float length,
                                   const std::function<void(const Crossing&)>& visit) const
 {
-    const Ray ray{.origin = hit_.p_world + start, .direction = direction, .t_max = length};
+    const Ray ray{.origin = hit_.p_world + start,
+                  .direction = direction,
+                  .t_max = length,
+                  .time = hit_.time};
     scene_.visit_object(ray, *hit_.placement, [&](const SurfaceHit& met) {
         visit({.from_hit = met.p_world - hit_.p_world,
                .ng = met.point.ng,

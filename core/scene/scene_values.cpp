@@ -1,6 +1,6 @@
 // What a place of the scene is, apart from the light there: for passes of data.
 
-#include "scene/scene.h"
+#include "scene/look_at.h"
 #include "scene/world_attributes.h"
 
 namespace eye_render {
@@ -11,8 +11,9 @@ std::optional<NodeValue> Scene::aov(int number, const SurfaceHit& hit, const Pat
     if (program == nullptr) {
         return std::nullopt;
     }
-    const MeshAttributes at = attributes(hit);
-    return program->value({.point = hit.point, .attributes = at, .path = path});
+    return look_at(hit, [&](const HitAttributes& at) {
+        return program->value({.point = hit.point, .attributes = at, .path = path});
+    });
 }
 
 std::optional<NodeValue> Scene::world_aov(int number,
@@ -30,10 +31,11 @@ std::optional<NodeValue> Scene::world_aov(int number,
 
 std::optional<V2f> Scene::active_uv(const SurfaceHit& hit) const
 {
-    if (hit.placement->mesh->uv_layers.empty()) {
+    constexpr int active = HitAttributes::active_uv_layer;
+    if (hit.placement->layers->uv[active] == LayerLookup::none) {
         return std::nullopt;
     }
-    return attributes(hit).uv(HitAttributes::active_uv_layer);
+    return look_at(hit, [](const HitAttributes& at) { return at.uv(active); });
 }
 
 }  // namespace eye_render

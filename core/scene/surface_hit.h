@@ -1,14 +1,13 @@
-// Where a ray met a mesh. World space is relative to the eye.
+// Where a ray met a geometry. World space is relative to the eye.
 
 #pragma once
 
-#include "scene/mesh.h"
+#include "scene/accelerator.h"
 #include "scene/ray.h"
 #include "scene/scene_data.h"
 #include "shading/material.h"
 
 #include <array>
-#include <span>
 #include <vector>
 
 namespace eye_render {
@@ -20,16 +19,22 @@ struct LayerLookup {
     std::vector<int> attributes;
 };
 
-// One mesh at one place of the scene.
+// Where a placement is at one time, relative to the eye.
+struct Pose {
+    M44f world_from_object;
+    M33f world_from_object_normal;  // inverse transpose, so that normals keep their side
+};
+
+// One geometry at one place of the scene.
 struct Placement {
-    const Mesh* mesh = nullptr;
+    const Geometry* geometry = nullptr;
     const LayerLookup* layers = nullptr;
     const TextureSpace* texture_space = nullptr;
     std::vector<const Material*> materials;  // one a slot, at least one
-    M44f world_from_object;
-    M33f world_from_object_normal;  // inverse transpose, so that normals keep their side
-    bool is_flat = true;            // the accelerator holds the positions in world space
-    bool is_mirrored = false;       // the determinant is negative
+    Pose pose;                               // at the shutter's middle
+    bool is_flat = true;                     // the accelerator holds the positions in world space
+    bool is_mirrored = false;                // the determinant is negative
+    bool moves = false;                      // the accelerator knows where it is at other times
     ObjectLook look;
     Visibility visibility;
     bool is_holdout = false;
@@ -39,13 +44,17 @@ struct Placement {
     std::vector<int>
         emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 
-    [[nodiscard]] std::size_t material_slot(std::uint32_t triangle) const
+    // Nothing for other geometry.
+    [[nodiscard]] const Mesh* mesh() const { return std::get_if<Mesh>(geometry); }
+    // Curves and points wear the first material.
+    [[nodiscard]] std::size_t material_slot(std::uint32_t primitive) const
     {
-        return std::min(mesh->slot(triangle), materials.size() - 1);
+        const Mesh* const triangles = mesh();
+        return triangles ? std::min(triangles->slot(primitive), materials.size() - 1) : 0;
     }
-    [[nodiscard]] const Material& material(std::uint32_t triangle) const
+    [[nodiscard]] const Material& material(std::uint32_t primitive) const
     {
-        return *materials[material_slot(triangle)];
+        return *materials[material_slot(primitive)];
     }
 };
 
@@ -55,22 +64,25 @@ struct SurfaceHit {
     float p_error = 0.0f;  // how far p_world may lie from the surface
     ShadingPoint point;
     const Placement* placement = nullptr;
-    std::uint32_t triangle = 0;
+    std::uint32_t primitive = 0;  // as AcceleratorHit has it, and so u and v
     float u = 0.0f;
     float v = 0.0f;
+    float time = shutter_middle;
+    // Of what is only painted as a solid: how far a ray must go to be out of it.
+    float depth = 0.0f;
 
-    [[nodiscard]] const Material& material() const { return placement->material(triangle); }
+    [[nodiscard]] const Material& material() const { return placement->material(primitive); }
     // Where a ray in direction `wi` starts, clear of the surface.
     [[nodiscard]] V3f origin_towards(const V3f& wi) const
     {
         const V3f& ng = point.ng;
-        return offset_from_surface(p_world, ng.dot(wi) < 0.0f ? -ng : ng, p_error);
+        return offset_from_surface(p_world + wi * depth, ng.dot(wi) < 0.0f ? -ng : ng, p_error);
     }
 
     // The number among the scene's emitters, or -1.
     [[nodiscard]] int emitter() const
     {
-        return placement->emitters.empty() ? -1 : placement->emitters[triangle];
+        return placement->emitters.empty() ? -1 : placement->emitters[primitive];
     }
 };
 
@@ -78,10 +90,12 @@ struct SurfaceHit {
 // them, may lie from it.
 [[nodiscard]] float position_error(const Placement& placement, const std::array<V3f, 3>& corners);
 
-// Turns what the accelerator found into a hit, `positions` being the accelerator's.
+// Turns what the accelerator found at the placement's pose into a hit, `positions` being the
+// accelerator's.
 [[nodiscard]] SurfaceHit make_surface_hit(const Ray& ray,
                                           const AcceleratorHit& found,
                                           const Placement& placement,
-                                          std::span<const V3f> positions);
+                                          const Pose& pose,
+                                          const MotionSteps<V3f>& positions);
 
 }  // namespace eye_render

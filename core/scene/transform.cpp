@@ -45,6 +45,14 @@ bool is_invertible(const M44d& m)
     return std::abs(x.dot(y.cross(z))) > smallest * longest * longest * longest;
 }
 
+float scale_of(const M44f& m)
+{
+    const V3f x(m[0][0], m[0][1], m[0][2]);
+    const V3f y(m[1][0], m[1][1], m[1][2]);
+    const V3f z(m[2][0], m[2][1], m[2][2]);
+    return std::cbrt(std::abs(x.dot(y.cross(z))));
+}
+
 M33f normal_matrix(const M44d& m)
 {
     const V3d x = axis(m, 0);

@@ -17,6 +17,10 @@ namespace eye_render {
 // nearly so.
 [[nodiscard]] bool is_invertible(const M44d& m);
 
+// What the matrix multiplies lengths by: the cube root of what it multiplies volumes by. Radii of
+// strands and balls keep round by it in the world, however unevenly their places are stretched.
+[[nodiscard]] float scale_of(const M44f& m);
+
 // Takes normals to the world and keeps their side: cofactors of the upper-left block with the sign
 // of its determinant, which is the inverse transpose times a positive factor. Unlike the inverse
 // it exists for a flattened object, too. Scaled so that its largest entry is 1.

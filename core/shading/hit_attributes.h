@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 
 namespace eye_render {
 
@@ -43,6 +44,22 @@ struct ViewFrame {
     V2f slope_last{1.0f};
 };
 
+// A strand where it was hit. Lengths in object space.
+struct StrandFacts {
+    float intercept = 0.0f;  // from root, 0, to tip, 1
+    float length = 0.0f;
+    float thickness = 0.0f;  // diameter
+    float random = 0.0f;     // of this strand, in [0, 1]
+    V3f tangent{0.0f};       // from root to tip, unit, world space
+};
+
+// A ball of a point cloud.
+struct PointFacts {
+    V3f position_world{0.0f};
+    float radius = 0.0f;
+    float random = 0.0f;  // of this point, in [0, 1]
+};
+
 class HitAttributes {
 public:
     static constexpr int active_uv_layer = 0;  // whatever the mesh calls it
@@ -63,6 +80,9 @@ public:
     // Smoothed normal without any map, unit, world, on the mesh's own side.
     [[nodiscard]] virtual V3f smooth_normal() const = 0;
     [[nodiscard]] virtual const ObjectFacts& object() const = 0;
+    // Nothing on what is no strand, or no point.
+    [[nodiscard]] virtual std::optional<StrandFacts> strand() const { return std::nullopt; }
+    [[nodiscard]] virtual std::optional<PointFacts> point() const { return std::nullopt; }
     [[nodiscard]] virtual const ViewFrame& view() const = 0;
 
     // Linear Rec. 709.

@@ -28,9 +28,9 @@ std::shared_ptr<SceneBuilder> wall(double distance, float radiance)
     graph.set(emission, "Strength", V3f(radiance));
     M44d at;
     at.setTranslation(V3d(0, 0, -distance));
-    scene->add_mesh(mesh);
+    scene->add_geometry(mesh);
     scene->add_material("wall", graph, graph.output(emission, "Emission"));
-    scene->add_instance({.mesh = 0, .world_from_object = at, .materials = {0}});
+    scene->add_instance({.geometry = 0, .world_from_object = at, .materials = {0}});
     CameraFrame frame;
     frame.width_px = frame.height_px = 16;
     frame.border = {0, 0, 16, 16};

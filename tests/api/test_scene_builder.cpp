@@ -34,8 +34,8 @@ Mesh two_triangles()
 TEST(SceneBuilder, triangles_without_a_place_are_left_out_with_a_warning)
 {
     SceneBuilder scene;
-    scene.add_mesh(two_triangles());
-    const Mesh& mesh = scene.data().meshes[0];
+    scene.add_geometry(two_triangles());
+    const Mesh& mesh = std::get<Mesh>(scene.data().geometries[0]);
     ASSERT_EQ(mesh.triangles.size(), 1u);
     EXPECT_EQ(mesh.triangles[0], (TriangleIndices{0, 1, 2}));
     EXPECT_EQ(mesh.material_slots, std::vector<std::int32_t>{7});
@@ -48,9 +48,9 @@ TEST(SceneBuilder, refuses_what_does_not_exist)
 {
     SceneBuilder scene;
     EXPECT_EQ(refusal([&] {
-                  scene.add_instance({.mesh = 2, .world_from_object = {}, .materials = {}});
+                  scene.add_instance({.geometry = 2, .world_from_object = {}, .materials = {}});
               }),
-              "mesh 2 does not exist; there are 0");
+              "geometry 2 does not exist; there are 0");
     EXPECT_EQ(refusal([&] { static_cast<void>(scene.camera()); }), "the scene has no camera");
 }
 

@@ -7,7 +7,12 @@ from pathlib import Path
 import bpy
 import numpy as np
 import pytest
-from scenes import add_camera
+from eye_render.cryptomatte import MatteNames
+from eye_render.export.image import ImageTable
+from eye_render.export.instances import export_instances
+from eye_render.export.light import LightTable
+from eye_render.export.material import MaterialTable
+from scenes import RecordingScene, add_camera
 
 BLENDER_TIMEOUT_S = 60
 
@@ -35,6 +40,24 @@ def depsgraph_of():
         return bpy.context.evaluated_depsgraph_get()
 
     return evaluate
+
+
+@pytest.fixture
+def export(depsgraph_of):
+    """Exports the scene; gives the recording, with the warnings as `.warnings`."""
+
+    def run() -> RecordingScene:
+        core_scene = RecordingScene()
+        core_scene.warnings = []
+        warn = core_scene.warnings.append
+        images = ImageTable(core_scene, 1, warn)
+        materials = MaterialTable(core_scene, images, None, warn)
+        lights = LightTable(core_scene, images, warn)
+        names = MatteNames(set(), set(), set())
+        export_instances(core_scene, depsgraph_of(), materials, lights, names, warn, lambda: None)
+        return core_scene
+
+    return run
 
 
 @pytest.fixture

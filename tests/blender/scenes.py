@@ -143,6 +143,8 @@ class RecordingScene:
 
     def __init__(self, uv_layers: list[str] = (), attributes: list[str] = ()):
         self.meshes: list[SimpleNamespace] = []
+        self.curves: list[SimpleNamespace] = []
+        self.points: list[SimpleNamespace] = []
         self.instances: list[SimpleNamespace] = []
         self.materials: list[SimpleNamespace] = []
         self.lights: list[SimpleNamespace] = []
@@ -161,12 +163,27 @@ class RecordingScene:
         self.meshes.append(
             SimpleNamespace(name=name, positions=positions, triangles=triangles, **rest)
         )
-        return len(self.meshes) - 1
+        return self._number()
 
-    def add_instances(self, mesh, world_from_object, materials, **look):
+    def add_curves(self, name, positions, radii, first_keys, **rest):
+        self.curves.append(
+            SimpleNamespace(
+                name=name, positions=positions, radii=radii, first_keys=first_keys, **rest
+            )
+        )
+        return self._number()
+
+    def add_points(self, name, positions, radii, **rest):
+        self.points.append(SimpleNamespace(name=name, positions=positions, radii=radii, **rest))
+        return self._number()
+
+    def _number(self) -> int:
+        return len(self.meshes) + len(self.curves) + len(self.points) - 1
+
+    def add_instances(self, geometry, world_from_object, materials, **look):
         self.instances.append(
             SimpleNamespace(
-                mesh=mesh,
+                geometry=geometry,
                 world_from_object=np.array(world_from_object),
                 materials=materials,
                 **look,

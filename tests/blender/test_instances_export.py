@@ -18,24 +18,6 @@ from scenes import (
 )
 
 
-@pytest.fixture
-def export(depsgraph_of):
-    """Exports the scene; gives the recording, with the warnings as `.warnings`."""
-
-    def run() -> RecordingScene:
-        core_scene = RecordingScene()
-        core_scene.warnings = []
-        warn = core_scene.warnings.append
-        images = ImageTable(core_scene, 1, warn)
-        materials = MaterialTable(core_scene, images, None, warn)
-        lights = LightTable(core_scene, images, warn)
-        names = MatteNames(set(), set(), set())
-        export_instances(core_scene, depsgraph_of(), materials, lights, names, warn, lambda: None)
-        return core_scene
-
-    return run
-
-
 def places(core_scene: RecordingScene) -> list[tuple[float, ...]]:
     matrices = np.concatenate([item.world_from_object for item in core_scene.instances])
     return sorted(tuple(matrix[:3, 3].tolist()) for matrix in matrices)

@@ -103,11 +103,11 @@ inline Mesh ball(float r, int rings)
 
 inline void place(SceneData& data, Mesh mesh, const V3d& at, const Material& material)
 {
-    data.meshes.push_back(std::move(mesh));
+    data.geometries.push_back(std::move(mesh));
     data.materials.push_back(material);
     M44d world_from_object;
     world_from_object.setTranslation(at);
-    data.instances.push_back({.mesh = data.meshes.size() - 1,
+    data.instances.push_back({.geometry = data.geometries.size() - 1,
                               .world_from_object = world_from_object,
                               .materials = {data.materials.size() - 1}});
 }

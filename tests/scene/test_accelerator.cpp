@@ -15,6 +15,8 @@ struct Soup {
     std::vector<TriangleIndices> triangles;
 };
 
+Shape shape_of(const Soup& soup) { return TriangleShape{soup.triangles, {{soup.positions}}}; }
+
 Soup random_soup(std::mt19937& random, int count)
 {
     std::uniform_real_distribution<float> place(-1.0f, 1.0f);
@@ -55,7 +57,7 @@ TEST(Accelerator, finds_what_testing_every_triangle_finds)
     std::mt19937 random(1);
     const Soup soup = random_soup(random, 300);
     Accelerator accelerator;
-    EXPECT_EQ(accelerator.add_flat(soup.positions, soup.triangles), 0u);
+    EXPECT_EQ(accelerator.add_flat(shape_of(soup)), 0u);
     accelerator.build();
     std::normal_distribution<float> normal;
     int hits = 0;
@@ -71,7 +73,7 @@ TEST(Accelerator, finds_what_testing_every_triangle_finds)
             ++hits;
             EXPECT_NEAR(found->t, expected, 1e-4);
             // The barycentric weights belong to the corners in their order.
-            const TriangleIndices& t = soup.triangles[found->triangle];
+            const TriangleIndices& t = soup.triangles[found->primitive];
             const V3f p = soup.positions[t[0]] * (1 - found->u - found->v) +
                           soup.positions[t[1]] * found->u + soup.positions[t[2]] * found->v;
             EXPECT_LT((p - (ray.origin + ray.direction * found->t)).length(), 1e-4f);
@@ -85,13 +87,13 @@ TEST(Accelerator, placed_prototype_is_hit_where_its_matrix_puts_it)
     const std::vector<V3f> positions{{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
     const std::vector<TriangleIndices> triangles{{0, 1, 2}};
     Accelerator accelerator;
-    const auto prototype = accelerator.add_prototype(positions, triangles);
-    M44f near;
-    near.setTranslation(V3f(0, 0, -2));
-    M44f far;
-    far.setTranslation(V3f(5, 0, -7));
-    EXPECT_EQ(accelerator.place(prototype, near), 0u);
-    EXPECT_EQ(accelerator.place(prototype, far), 1u);
+    const auto prototype = accelerator.add_prototype(TriangleShape{triangles, {{positions}}});
+    M44d near;
+    near.setTranslation(V3d(0, 0, -2));
+    M44d far;
+    far.setTranslation(V3d(5, 0, -7));
+    EXPECT_EQ(accelerator.place(prototype, {{near}}), 0u);
+    EXPECT_EQ(accelerator.place(prototype, {{far}}), 1u);
     accelerator.build();
     const auto straight = accelerator.intersect({});
     ASSERT_TRUE(straight);
@@ -109,7 +111,7 @@ TEST(Accelerator, rays_that_are_not_finite_bring_no_light)
     std::mt19937 random(1);
     const Soup soup = random_soup(random, 10);
     Accelerator accelerator;
-    accelerator.add_flat(soup.positions, soup.triangles);
+    accelerator.add_flat(shape_of(soup));
     accelerator.build();
     const float nan = std::nanf("");
     for (const Ray& ray : {Ray{.origin = V3f(nan, 0, 0)}, Ray{.direction = V3f(0, nan, 0)},

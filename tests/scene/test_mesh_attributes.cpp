@@ -27,17 +27,16 @@ Mesh square()
 class Placed {
 public:
     explicit Placed(Mesh mesh, const M44d& world_from_object = {}, const V3d& eye = V3d(0.0))
-        : mesh_(std::move(mesh)),
-          space_(mesh_.texture_space ? *mesh_.texture_space : texture_space_of(mesh_))
+        : geometry_(std::move(mesh)), space_(texture_space_of(geometry_))
     {
         const M44d relative = relative_to_eye(world_from_object, eye);
         frame_.eye_position_world = eye;
-        placement_ = {.mesh = &mesh_,
+        placement_ = {.geometry = &geometry_,
                       .layers = &layers_,
                       .texture_space = &space_,
                       .materials = {&material_},
-                      .world_from_object = to_float(relative),
-                      .world_from_object_normal = normal_matrix(relative),
+                      .pose = {.world_from_object = to_float(relative),
+                               .world_from_object_normal = normal_matrix(relative)},
                       .is_mirrored = is_mirror(relative),
                       .look = {},
                       .visibility = {},
@@ -48,7 +47,7 @@ public:
 
     [[nodiscard]] MeshAttributes at(float u, float v, std::uint32_t triangle = 0) const
     {
-        return {placement_, triangle, u, v, frame_};
+        return {placement_, placement_.pose, triangle, u, v, shutter_middle, frame_};
     }
 
     LayerLookup layers_{.uv = {0, LayerLookup::none}, .attributes = {0, LayerLookup::none}};
@@ -56,7 +55,7 @@ public:
     Material material_ = plain_material("BSDF_DIFFUSE", {});
 
 private:
-    Mesh mesh_;
+    Geometry geometry_;
     TextureSpace space_;
     SceneFrame frame_;
 };

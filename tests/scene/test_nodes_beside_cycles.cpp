@@ -156,13 +156,13 @@ private:
             mesh.attributes.push_back(std::move(attribute));
         }
         const Json& c = body["color"];
-        data_.instances.push_back({.mesh = data_.meshes.size(),
+        data_.instances.push_back({.geometry = data_.geometries.size(),
                                    .world_from_object = matrix_of(body["world_from_object"]),
                                    .materials = {0},
                                    .look = {.color = Color4f(c[0].get<float>(), c[1].get<float>(),
                                                              c[2].get<float>(), c[3].get<float>()),
                                             .pass_index = body["pass_index"].get<float>()}});
-        data_.meshes.push_back(std::move(mesh));
+        data_.geometries.push_back(std::move(mesh));
     }
 
     void add_pictures()
@@ -197,9 +197,10 @@ private:
             const auto hit = scene_->intersect({.direction = to_place.normalized()});
             ASSERT_TRUE(hit) << p_world;
             ASSERT_LT((hit->p_world - to_place).length(), 1e-5f);
-            places_.push_back(
-                {pixel, hit->placement->mesh->normal_domain == NormalDomain::Flat, *hit,
-                 MeshAttributes(*hit->placement, hit->triangle, hit->u, hit->v, frame_)});
+            places_.push_back({pixel, hit->placement->mesh()->normal_domain == NormalDomain::Flat,
+                               *hit,
+                               MeshAttributes(*hit->placement, hit->placement->pose,
+                                              hit->primitive, hit->u, hit->v, hit->time, frame_)});
         }
         ASSERT_GT(places_.size(), 40u);
     }

@@ -22,12 +22,12 @@ SceneData shining_square(const V3d& at)
     Mesh mesh;
     mesh.positions = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
     mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
-    data.meshes.push_back(mesh);
+    data.geometries.push_back(mesh);
     data.materials.push_back(shining(3.0f));
     M44d world_from_object;
     world_from_object.setTranslation(at);
     data.instances.push_back(
-        {.mesh = 0, .world_from_object = world_from_object, .materials = {0}});
+        {.geometry = 0, .world_from_object = world_from_object, .materials = {0}});
     return data;
 }
 

@@ -25,13 +25,13 @@ Mesh floor_mesh()
 SceneData corner()
 {
     SceneData data;
-    data.meshes.push_back(floor_mesh());
+    data.geometries.emplace_back(floor_mesh());
     data.materials.push_back(plain_material("BSDF_DIFFUSE", {}));
     M44d upright;
     upright.setAxisAngle(V3d(0, 1, 0), 0.5 * M_PI);
     upright *= M44d().setTranslation(V3d(1, 0, 0));
-    data.instances.push_back({.mesh = 0, .world_from_object = {}, .materials = {0}});
-    data.instances.push_back({.mesh = 0, .world_from_object = upright, .materials = {0}});
+    data.instances.push_back({.geometry = 0, .world_from_object = {}, .materials = {0}});
+    data.instances.push_back({.geometry = 0, .world_from_object = upright, .materials = {0}});
     return data;
 }
 
@@ -71,7 +71,7 @@ TEST(SceneProbe, crosses_its_own_object_and_passes_by_others)
 {
     SceneData data = corner();
     // One object of two floors, the upper one seen from below.
-    Mesh& mesh = data.meshes[0];
+    Mesh& mesh = std::get<Mesh>(data.geometries[0]);
     for (int i = 0; i < 4; ++i) {
         mesh.positions.push_back(mesh.positions[std::size_t(i)] + V3f(0, 0, -1));
     }

@@ -20,8 +20,9 @@ Mesh square()
 SceneData one(const Mesh& mesh, const M44d& world_from_object)
 {
     SceneData data;
-    data.meshes.push_back(mesh);
-    data.instances.push_back({.mesh = 0, .world_from_object = world_from_object, .materials = {}});
+    data.geometries.push_back(mesh);
+    data.instances.push_back(
+        {.geometry = 0, .world_from_object = world_from_object, .materials = {}});
     return data;
 }
 
@@ -59,7 +60,7 @@ TEST(SurfaceHit, flat_and_instanced_meshes_look_alike)
     M44d elsewhere;
     elsewhere.setTranslation(V3d(50, 0, 0));
     instanced_data.instances.push_back(
-        {.mesh = 0, .world_from_object = elsewhere, .materials = {}});
+        {.geometry = 0, .world_from_object = elsewhere, .materials = {}});
     const Scene flat(flat_data, V3d(0.0));
     const Scene instanced(instanced_data, V3d(0.0));
     const Ray ray{.direction = V3f(0.1f, 0.2f, -1.0f).normalized()};
@@ -77,9 +78,9 @@ TEST(SurfaceHit, flattened_instances_neither_crash_nor_hide_the_rest)
     for (int axis = 0; axis < 3; ++axis) {
         M44d flattened = at_two_metres(1.0);
         flattened[axis][axis] = 0.0;
-        data.instances.push_back({.mesh = 0, .world_from_object = flattened, .materials = {}});
+        data.instances.push_back({.geometry = 0, .world_from_object = flattened, .materials = {}});
     }
-    data.instances.push_back({.mesh = 0, .world_from_object = M44d(0.0), .materials = {}});
+    data.instances.push_back({.geometry = 0, .world_from_object = M44d(0.0), .materials = {}});
     const Scene scene(data, V3d(0.0));
     const auto hit = scene.intersect({.direction = V3f(0.1f, 0.2f, -1.0f).normalized()});
     ASSERT_TRUE(hit);

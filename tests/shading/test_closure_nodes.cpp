@@ -101,6 +101,34 @@ TEST(ClosureNodes, every_option_of_blender_is_taken_and_others_are_refused)
     EXPECT_THROW(with("BSDF_METALLIC", "fresnel_type", "SCHLICK"), std::invalid_argument);
 }
 
+TEST(ClosureNodes, hair_gives_back_no_more_light_than_it_got)
+{
+    for (const char* type : {"BSDF_HAIR", "BSDF_HAIR_PRINCIPLED"}) {
+        for (const double angle_deg : {0.0, 45.0, 80.0}) {
+            const ClosureTrial white = ClosureTrial(type).set("Color", V3f(1.0f));
+            const double albedo = test::integrate(white.shade(angle_deg).bsdf, 256).value.x;
+            EXPECT_LT(albedo, 1.01) << type << angle_deg;
+            EXPECT_GT(albedo, 0.6) << type << angle_deg;
+        }
+    }
+}
+
+TEST(ClosureNodes, pigment_darkens_hair_and_its_kind_colours_it)
+{
+    const auto hair = [](float melanin, float redness) {
+        return ClosureTrial("BSDF_HAIR_PRINCIPLED",
+                            NodeOptions({{"parametrization", std::string("MELANIN")}}))
+            .set("Melanin", melanin)
+            .set("Melanin Redness", redness)
+            .shade(30.0)
+            .bsdf.albedo();
+    };
+    EXPECT_NEAR(hair(0.0f, 0.0f).x, 1.0f, 0.02f);  // without it all light leaves
+    EXPECT_LT(hair(0.5f, 0.5f).x, hair(0.2f, 0.5f).x);
+    const auto red_to_green = [](const Color3f& c) { return c.x / c.y; };
+    EXPECT_GT(red_to_green(hair(0.3f, 1.0f)), red_to_green(hair(0.3f, 0.0f)));
+}
+
 TEST(ClosureNodes, glass_is_thin_to_the_viewer_inside)
 {
     // Beyond the critical angle of 41.8 degrees nothing passes.

@@ -10,6 +10,7 @@ from .image import ImageTable
 from .instances import export_instances
 from .light import LightTable
 from .material import MaterialTable
+from .motion import Motion
 from .world import export_world
 
 
@@ -17,10 +18,12 @@ def export_scene(
     depsgraph: bpy.types.Depsgraph,
     warn: Callable[[str], None],
     check_cancel: Callable[[], None],
+    motion: Motion | None = None,
 ) -> tuple[object, MatteNames]:
     """The core's scene of the depsgraph's view layer, without a camera, and the names in it.
 
-    `warn` takes a sentence for the user; `check_cancel` raises to stop the export.
+    `warn` takes a sentence for the user; `check_cancel` raises to stop the export; `motion` is
+    what was found while the shutter is open, if anybody looked.
     """
     core_scene = core.require().Scene()
     images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
@@ -30,6 +33,6 @@ def export_scene(
     )
     lights = LightTable(core_scene, images, warn)
     names = MatteNames(set(), materials.names, set())
-    export_instances(core_scene, depsgraph, materials, lights, names, warn, check_cancel)
+    export_instances(core_scene, depsgraph, materials, lights, names, warn, check_cancel, motion)
     export_world(core_scene, depsgraph, images, warn)
     return core_scene, names

@@ -50,9 +50,19 @@ def _attribute(
     if name in mesh.uv_layers:  # attributes only since Blender 3.5
         return _rgba(compat.corner_uvs(mesh.uv_layers[name]))[corners.ravel()]
     attribute = mesh.attributes.get(name) if name else _render_color(mesh)
+    domain = attribute.domain if attribute else ""
+    return attribute_values(
+        attribute, {domain: _items_at_corners(mesh, corners, triangles, domain)}
+    )
+
+
+def attribute_values(
+    attribute: bpy.types.Attribute | None, items_by_domain: dict[str, np.ndarray | None]
+) -> np.ndarray | None:
+    """(n, 4) of the items that its domain's n places have; None for one that is not to be had."""
     if attribute is None or attribute.data_type not in _MEMBERS:
         return None
-    items = _items_at_corners(mesh, corners, triangles, attribute.domain)
+    items = items_by_domain.get(attribute.domain)
     if items is None:
         return None
     member, width, number_type = _MEMBERS[attribute.data_type]

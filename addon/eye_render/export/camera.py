@@ -1,5 +1,6 @@
 """The camera of one view: where it stands, its window of slopes, and what it focuses at."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import bpy
@@ -47,22 +48,50 @@ def check_camera(camera: bpy.types.Object | None) -> None:
         )
 
 
+class CameraPose(NamedTuple):
+    """As the engine's active stereo view has the camera at one time."""
+
+    world_from_camera: np.ndarray
+    slope_bounds: tuple[float, float, float, float]
+
+    def differs(self, other: "CameraPose") -> bool:
+        return self.slope_bounds != other.slope_bounds or bool(
+            (self.world_from_camera != other.world_from_camera).any()
+        )
+
+
+def pose_of(
+    engine: bpy.types.RenderEngine,
+    depsgraph: bpy.types.Depsgraph,
+    camera: bpy.types.Object,
+    frame: Frame,
+) -> CameraPose:
+    return CameraPose(
+        np.array(engine.camera_model_matrix(camera), np.float64),
+        _slope_bounds(engine, depsgraph, camera, frame),
+    )
+
+
 def set_camera(
     core_scene,
     engine: bpy.types.RenderEngine,
     depsgraph: bpy.types.Depsgraph,
     camera: bpy.types.Object,
     frame: Frame,
+    poses: Sequence[CameraPose] = (),
 ) -> None:
-    """Put the camera, as the engine's active stereo view has it, into the core's scene."""
-    scene = depsgraph.scene_eval
+    """Put the camera, as the engine's active stereo view has it, into the core's scene: now, or
+    with the poses that it has while the shutter is open."""
+    poses = poses or [pose_of(engine, depsgraph, camera, frame)]
+    middle = poses[len(poses) // 2]
+    moves = any(pose.differs(middle) for pose in poses)
     core_scene.set_camera(
-        np.array(engine.camera_model_matrix(camera), np.float64),
-        _slope_bounds(engine, depsgraph, camera, frame),
+        *middle,
         (frame.width, frame.height),
         border=frame.border,
         clip=(camera.data.clip_start, camera.data.clip_end),
-        metres_per_unit=metres_per_unit(scene),
+        metres_per_unit=metres_per_unit(depsgraph.scene_eval),
+        **({"motion": list(poses)} if moves else {}),
     )
 
 

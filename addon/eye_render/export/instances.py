@@ -1,4 +1,4 @@
-"""What the render sees: every mesh once, every instance of it as a matrix, and the lamps."""
+"""What the render sees: every geometry once, every instance of it as a matrix, and the lamps."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,9 +10,11 @@ from mathutils import Matrix
 from .. import cryptomatte, passes
 from .light import LightTable
 from .material import MaterialTable
-from .mesh import add_mesh
+from .motion import Key, Motion, key_of, steps_of
 from .object_properties import PropertyReader
 from .object_random import random_of
+from .pose import Pose
+from .sources import TYPES, Source, sources_of
 from .visibility import Visibility, light_group_of, visibility_of
 
 # What Blender also lists beside the mesh that it evaluated from it.
@@ -21,11 +23,12 @@ _NOT_GEOMETRY = {"EMPTY", "CAMERA", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PRO
 
 
 class _Look(NamedTuple):
-    """What instances of a mesh have in common."""
+    """What instances of a geometry have in common."""
 
     materials: tuple[int, ...]
     pass_index: int
     visibility: Visibility
+    motion_steps: int  # 0 without motion blur
     light_group: str = ""
     # For Cryptomatte, where it is asked for: names keep apart what may be placed together.
     name: str = ""
@@ -33,34 +36,104 @@ class _Look(NamedTuple):
 
 
 class _Group:
-    """The instances of one mesh with one look, and what tells them apart if anybody asks."""
+    """The instances of one geometry with one look, and what tells them apart if anybody asks."""
 
-    def __init__(self, tells_apart: bool, properties: list[str], reader: PropertyReader):
-        self.tells_apart = tells_apart
-        self.properties: dict[str, list[tuple[float, ...]]] = {name: [] for name in properties}
+    def __init__(self, look: _Look, materials: MaterialTable, reader: PropertyReader):
+        self.look = look
+        self.tells_apart = materials.read_object(look.materials)
+        self.properties: dict[str, list[tuple[float, ...]]] = {
+            name: [] for name in materials.properties_read(look.materials)
+        }
         self._reader = reader
         self.matrices: list[Matrix] = []
+        self.keys: list[Key] = []  # of what may move
         self.colors: list[tuple[float, ...]] = []
         self.randoms: list[float] = []
 
     def append(self, instance: bpy.types.DepsgraphObjectInstance) -> None:
         self.matrices.append(instance.matrix_world.copy())
+        if self.look.motion_steps:
+            self.keys.append(key_of(instance))
         if self.tells_apart:
             self.colors.append(tuple(instance.object.color))
             self.randoms.append(random_of(instance))
         for name, values in self.properties.items():
             values.append(self._reader.value(instance, name))
 
+    def told(self, chosen: np.ndarray) -> dict[str, object]:
+        """What tells the chosen ones apart."""
+        told = {
+            "attributes": {
+                name: np.array(values, np.float32)[chosen]
+                for name, values in self.properties.items()
+            }
+        }
+        if self.tells_apart:
+            told |= {
+                "colors": np.array(self.colors, np.float32)[chosen],
+                "randoms": np.array(self.randoms, np.float32)[chosen],
+            }
+        return told
+
 
 class _Geometry:
-    """One evaluated mesh and all its instances."""
+    """One evaluated geometry and all its instances."""
 
-    def __init__(self, mesh: bpy.types.Mesh):
-        self.mesh = mesh
+    def __init__(self, source: Source, motion: list[Pose]):
+        self.source = source
+        self.motion = motion  # empty if it does not deform
         self.groups: dict[_Look, _Group] = {}
 
     def material_ids(self) -> list[int]:
         return sorted({number for look in self.groups for number in look.materials})
+
+
+class _Collector:
+    """The geometries that instances bring, each once."""
+
+    def __init__(
+        self,
+        depsgraph: bpy.types.Depsgraph,
+        materials: MaterialTable,
+        names: cryptomatte.MatteNames,
+        motion: Motion | None,
+    ):
+        self.geometries: dict[tuple[int, str], _Geometry] = {}
+        self._depsgraph = depsgraph
+        self._materials = materials
+        self._names = names
+        self._has_names = bool(passes.cryptomatte_kinds(depsgraph.view_layer_eval))
+        self._motion = motion
+        self._reader = PropertyReader(depsgraph)
+
+    def groups_of(
+        self, instance: bpy.types.DepsgraphObjectInstance, placer: bpy.types.Object
+    ) -> list[_Group]:
+        """One for each geometry that the object brings."""
+        shown, motion = instance.object, self._motion
+        visibility = visibility_of(shown, placer, self._depsgraph.view_layer_eval)
+        light_group = light_group_of(shown, placer, self._depsgraph.view_layer_eval)
+        slots = self._materials.worn_by(shown)
+        steps = steps_of(shown, placer) if motion else 0
+        groups = []
+        for source in sources_of(instance, self._depsgraph.scene_eval):
+            if source.key not in self.geometries:
+                poses = motion.poses(instance, source, steps) if steps else []
+                self.geometries[source.key] = _Geometry(source, poses)
+            look = _Look(source.worn(slots), shown.pass_index, visibility, steps, light_group)
+            if self._has_names:
+                look = self._named(look, shown)
+            known = self.geometries[source.key].groups
+            if look not in known:
+                known[look] = _Group(look, self._materials, self._reader)
+            groups.append(known[look])
+        return groups
+
+    def _named(self, look: _Look, shown: bpy.types.Object) -> _Look:
+        asset = cryptomatte.asset_of(shown)
+        self._names.objects.add(shown.name)
+        self._names.assets.add(asset)
+        return look._replace(name=shown.name, asset=asset)
 
 
 def export_instances(
@@ -71,106 +144,99 @@ def export_instances(
     names: cryptomatte.MatteNames,
     warn: Callable[[str], None],
     check_cancel: Callable[[], None],
+    motion: Motion | None = None,
 ) -> None:
-    """Add all visible meshes, their instances and the lamps to the core's scene; and to `names`
-    theirs, if Cryptomatte asks for them."""
-    view_layer = depsgraph.view_layer_eval
-    has_names = bool(passes.cryptomatte_kinds(view_layer))
-    reads_uvs = passes.needs_uvs(view_layer)
-    reader = PropertyReader(depsgraph)
-    geometries: dict[int, _Geometry] = {}
-    groups: dict[tuple[int, int, int], _Group] = {}
+    """Add all visible geometry, its instances and the lamps to the core's scene; and to `names`
+    theirs, if Cryptomatte asks for them.
+
+    `motion` is what was found while the shutter is open; None without motion blur.
+    """
+    collector = _Collector(depsgraph, materials, names, motion)
+    reads_uvs = passes.needs_uvs(depsgraph.view_layer_eval)
+    groups: dict[tuple[int, int, int], list[_Group]] = {}
     for instance in depsgraph.object_instances:
-        if not instance.show_self:
-            continue
         shown = instance.object
+        if not (instance.show_self or instance.show_particles):
+            continue
         placer = instance.parent if instance.is_instance else shown
         if shown.type == "LIGHT":
-            seen = visibility_of(shown, placer, view_layer)
-            light_group = light_group_of(shown, placer, view_layer)
+            seen = visibility_of(shown, placer, depsgraph.view_layer_eval)
+            light_group = light_group_of(shown, placer, depsgraph.view_layer_eval)
             lights.add(shown, instance.matrix_world, seen.hidden_from, light_group)
-        elif shown.type == "MESH":
-            # The evaluated mesh is shared by the objects that do not modify it, and by nobody
-            # else, so its address tells which instances have the same geometry.
+        elif shown.type in TYPES:
             address = shown.data.as_pointer()
             key = (shown.original.as_pointer(), address, placer.original.as_pointer())
-            group = groups.get(key)
-            if group is None:
+            if key not in groups:
                 check_cancel()
-                if address not in geometries:
-                    geometries[address] = _Geometry(shown.data)
-                    _warn_of_hair(shown, warn)
-                worn = materials.worn_by(shown)
-                visibility = visibility_of(shown, placer, view_layer)
-                light_group = light_group_of(shown, placer, view_layer)
-                look = _Look(worn, shown.pass_index, visibility, light_group)
-                if has_names:
-                    asset = cryptomatte.asset_of(shown)
-                    look = look._replace(name=shown.name, asset=asset)
-                    names.objects.add(shown.name)
-                    names.assets.add(asset)
-                group = groups[key] = geometries[address].groups.setdefault(
-                    look,
-                    _Group(materials.read_object(worn), materials.properties_read(worn), reader),
-                )
-            group.append(instance)
+                groups[key] = collector.groups_of(instance, placer)
+            for group in groups[key]:
+                group.append(instance)
         elif shown.type not in _SHOWN_AS_MESH | _NOT_GEOMETRY:
             kind = shown.bl_rna.properties["type"].enum_items[shown.type].name
             warn(f"{kind} '{shown.name}' is left out: this kind of object is not supported")
 
-    for geometry in geometries.values():
+    for geometry in collector.geometries.values():
         check_cancel()
-        mesh_id = add_mesh(core_scene, geometry.mesh, geometry.material_ids(), reads_uvs)
-        if mesh_id is None:
+        source = geometry.source
+        number = source.add(core_scene, geometry.material_ids(), reads_uvs, geometry.motion)
+        if number is None:
             continue
-        for look, group in geometry.groups.items():
-            _add_group(core_scene, mesh_id, geometry.mesh.name, look, group, warn)
+        for group in geometry.groups.values():
+            _add_group(core_scene, number, source.name, group, motion, warn)
 
 
 def _add_group(
-    core_scene, mesh_id: int, name: str, look: _Look, group: _Group, warn: Callable[[str], None]
+    core_scene,
+    number: int,
+    name: str,
+    group: _Group,
+    motion: Motion | None,
+    warn: Callable[[str], None],
 ) -> None:
     world_from_object = _as_array(group.matrices)
     is_finite = np.isfinite(world_from_object).all(axis=(1, 2))
     if not is_finite.all():
         count = np.count_nonzero(~is_finite)
         warn(
-            f"Mesh '{name}' is left out {count} times: "
+            f"'{name}' is left out {count} times: "
             "the place or size of the object is not a finite number"
         )
-    told = {
-        "attributes": {
-            attribute: np.array(values, np.float32)[is_finite]
-            for attribute, values in group.properties.items()
-        }
-    }
-    if group.tells_apart:
-        told |= {
-            "colors": np.array(group.colors, np.float32)[is_finite],
-            "randoms": np.array(group.randoms, np.float32)[is_finite],
-        }
-    core_scene.add_instances(
-        mesh_id,
-        world_from_object[is_finite],
-        materials=list(look.materials),
-        pass_index=look.pass_index,
-        hidden_from=look.visibility.hidden_from,
-        is_holdout=look.visibility.is_holdout,
-        is_shadow_catcher=look.visibility.is_shadow_catcher,
-        light_group=look.light_group,
-        name=look.name,
-        asset=look.asset,
-        **told,
+    still, told_motion = is_finite, None
+    if group.look.motion_steps:
+        told_motion = _motion_of(group, motion)
+        moves = (told_motion != world_from_object[:, None]).any(axis=(1, 2, 3))
+        moves &= np.isfinite(told_motion).all(axis=(1, 2, 3))
+        still = is_finite & ~moves
+    for chosen in (still, is_finite & ~still):
+        if chosen.any():
+            core_scene.add_instances(
+                number,
+                world_from_object[chosen],
+                materials=list(group.look.materials),
+                pass_index=group.look.pass_index,
+                hidden_from=group.look.visibility.hidden_from,
+                is_holdout=group.look.visibility.is_holdout,
+                is_shadow_catcher=group.look.visibility.is_shadow_catcher,
+                light_group=group.look.light_group,
+                name=group.look.name,
+                asset=group.look.asset,
+                **group.told(chosen),
+                **({} if chosen is still else {"motion": told_motion[chosen]}),
+            )
+
+
+def _motion_of(group: _Group, motion: Motion) -> np.ndarray:
+    """(n, steps, 4, 4)"""
+    steps = group.look.motion_steps
+    matrices = (
+        matrix
+        for key, middle in zip(group.keys, group.matrices, strict=True)
+        for matrix in motion.matrices(key, middle, steps)
     )
+    return _as_array(list(matrices)).reshape(-1, steps, 4, 4)
 
 
 def _as_array(matrices: list[Matrix]) -> np.ndarray:
     """(n, 4, 4); ten times as fast as `np.array`, which asks each matrix what it is."""
     numbers = (number for matrix in matrices for row in matrix for number in row)
     return np.fromiter(numbers, np.float64, 16 * len(matrices)).reshape(-1, 4, 4)
-
-
-def _warn_of_hair(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
-    for system in shown.particle_systems:
-        if system.settings.type == "HAIR" and system.settings.render_type == "PATH":
-            warn(f"Hair of '{shown.name}' is left out: hair strands are not supported")

@@ -1,26 +1,51 @@
 """Evaluated meshes to the core's arrays, by `foreach_get` alone."""
 
+from collections.abc import Sequence
+
 import bpy
 import numpy as np
 
 from .. import compat
 from .attributes import attributes_at_corners
+from .pose import Pose, motion_arguments
+
+
+class MeshSource:
+    def __init__(self, mesh: bpy.types.Mesh, _scene: bpy.types.Scene):
+        self.name = mesh.name
+        self.key = (mesh.as_pointer(), "")
+        self.part = ""
+        self._mesh = mesh
+
+    def worn(self, slots: tuple[int, ...]) -> tuple[int, ...]:
+        return slots
+
+    def pose(self) -> Pose:
+        corners = _triangle_corners(self._mesh)
+        return Pose(compat.vertex_positions(self._mesh), _normals(self._mesh, corners))
+
+    def add(
+        self, core_scene, material_ids: list[int], reads_uvs: bool, motion: list[Pose]
+    ) -> int | None:
+        return add_mesh(core_scene, self._mesh, material_ids, reads_uvs, motion)
 
 
 def add_mesh(
-    core_scene, mesh: bpy.types.Mesh, material_ids: list[int], reads_uvs: bool
+    core_scene,
+    mesh: bpy.types.Mesh,
+    material_ids: list[int],
+    reads_uvs: bool,
+    motion: Sequence[Pose] = (),
 ) -> int | None:
     """Hand the mesh over; None if it has no triangle.
 
     `material_ids` are all materials that some instance of the mesh wears: what none of them
     reads is not exported, nor the active UV map unless `reads_uvs` says that a pass does.
     """
-    mesh.calc_loop_triangles()
-    triangle_count = len(mesh.loop_triangles)
+    corners = _triangle_corners(mesh)
+    triangle_count = len(corners)
     if triangle_count == 0:
         return None
-    corners = np.empty((triangle_count, 3), np.int32)
-    mesh.loop_triangles.foreach_get("loops", corners.ravel())
     triangles = compat.corner_vertices(mesh)[corners]
     positions = compat.vertex_positions(mesh)
     uvs_read = core_scene.uv_layers_read(material_ids) + ([""] if reads_uvs else [])
@@ -36,8 +61,17 @@ def add_mesh(
         ),
         material_slots=_material_slots(mesh, triangle_count),
         active_uv=active_uv,
-        texture_space=_texture_space(mesh),
+        texture_space=texture_space(mesh),
+        **motion_arguments(motion),
     )
+
+
+def _triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
+    """(triangles, 3)"""
+    mesh.calc_loop_triangles()
+    corners = np.empty((len(mesh.loop_triangles), 3), np.int32)
+    mesh.loop_triangles.foreach_get("loops", corners.ravel())
+    return corners
 
 
 def _normals(mesh: bpy.types.Mesh, corners: np.ndarray) -> np.ndarray | None:
@@ -66,7 +100,7 @@ def _uvs(
     return (active if active in uvs else ""), uvs
 
 
-def _texture_space(
+def texture_space(
     mesh: bpy.types.Mesh,
 ) -> tuple[tuple[float, ...], tuple[float, ...]] | None:
     """Where the coordinates Generated are zero, and how far it is from there to one.

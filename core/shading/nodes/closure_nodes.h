@@ -64,5 +64,7 @@ template <typename Node>
 [[nodiscard]] NodeType background_node();
 [[nodiscard]] NodeType transparent_node();
 [[nodiscard]] NodeType holdout_node();
+[[nodiscard]] NodeType hair_node();
+[[nodiscard]] NodeType principled_hair_node();
 
 }  // namespace eye_render

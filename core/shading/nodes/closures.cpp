@@ -40,6 +40,8 @@ std::span<const NodeType> closure_nodes()
         background_node(),
         transparent_node(),
         holdout_node(),
+        hair_node(),
+        principled_hair_node(),
     });
     return nodes;
 }

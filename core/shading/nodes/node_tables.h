@@ -24,6 +24,8 @@ namespace eye_render {
 [[nodiscard]] std::span<const NodeType> layer_nodes();
 // Object Info, Light Path, Fresnel, …: what else is read from the hit.
 [[nodiscard]] std::span<const NodeType> input_nodes();
+// Hair Info, Point Info.
+[[nodiscard]] std::span<const NodeType> strand_nodes();
 // Normal Map, Bump: what bends the normal.
 [[nodiscard]] std::span<const NodeType> normal_nodes();
 // Displacement, Vector Displacement.

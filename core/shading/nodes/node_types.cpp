@@ -35,7 +35,7 @@ constexpr NodeType add_shader{.name = "ADD_SHADER",
     for (const auto& family :
          {closure_nodes(), procedural_texture_nodes(), image_texture_nodes(), math_nodes(),
           color_nodes(), sky_nodes(), coordinate_nodes(), layer_nodes(), input_nodes(),
-          normal_nodes(), displacement_nodes(), probe_nodes(), lamp_nodes()}) {
+          strand_nodes(), normal_nodes(), displacement_nodes(), probe_nodes(), lamp_nodes()}) {
         for (const NodeType& type : family) {
             all.push_back(&type);
         }

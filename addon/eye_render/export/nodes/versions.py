@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from .derived import read_derived_attributes
 from .flat import Input, Node
+from .hair import LOBES, mix_lobes
 from .musgrave import musgrave_to_noise
 from .named import OWNER_PREFIXES, name_owner
 from .normals import flip_green
@@ -111,6 +112,8 @@ ROWS = (
         for owner in OWNER_PREFIXES
     ),
     Row("AMBIENT_OCCLUSION", convert=note_global_distance),
+    Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
+    Row("BSDF_HAIR_PRINCIPLED", convert=mix_lobes, note=LOBES),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
     _walk("SUBSURFACE_SCATTERING", "falloff", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),

@@ -1,0 +1,180 @@
+"""What moves while the shutter is open. Blender's scene is gone through at times before and after
+the picture's own; what is found is kept until the geometry is handed over at its own."""
+
+import math
+from collections.abc import Callable
+from fractions import Fraction
+from typing import NamedTuple
+
+import bpy
+from mathutils import Matrix
+
+from .. import compat
+from .camera import CameraPose, Frame, pose_of
+from .pose import Pose
+from .sources import TYPES, Source, sources_of
+
+MIDDLE = Fraction(1, 2)  # time runs from 0, when the shutter opens, to 1, when it closes
+
+Key = tuple[int, ...]
+
+
+class Shutter(NamedTuple):
+    """Times in frames."""
+
+    middle: float
+    open_for: float
+
+    def frame_at(self, time: Fraction) -> float:
+        return self.middle + float(time - MIDDLE) * self.open_for
+
+
+def shutter_of(
+    scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer, warn: Callable[[str], None]
+) -> Shutter | None:
+    """None for a picture without motion blur."""
+    render = scene.render
+    if not (render.use_motion_blur and view_layer.use_motion_blur):
+        return None
+    curve = render.motion_blur_shutter_curve
+    curve.initialize()
+    if any(curve.evaluate(curve.curves[0], place) < 1.0 for place in (0.0, 0.1, 0.5, 0.9, 1.0)):
+        warn("The shutter's curve is not supported: it opens and closes at once")
+    if getattr(getattr(scene, "cycles", None), "rolling_shutter_type", "NONE") != "NONE":
+        warn("A rolling shutter is not supported: all of the picture is seen at once")
+    ahead = {"START": 0.5, "CENTER": 0.0, "END": -0.5}[compat.shutter_position(scene)]
+    open_for = render.motion_blur_shutter
+    return Shutter(scene.frame_current + scene.frame_subframe + ahead * open_for, open_for)
+
+
+def steps_of(shown: bpy.types.Object, placer: bpy.types.Object) -> int:
+    """At how many times the motion of an object is looked at; 0 for one that is not blurred."""
+    steps = 1
+    for owner in (shown, placer):
+        settings = getattr(owner, "cycles", None)
+        if settings is None:
+            continue
+        if not settings.use_motion_blur:
+            return 0
+        steps = max(steps, settings.motion_steps)
+    return 2**steps + 1
+
+
+def times_of(steps: int) -> list[Fraction]:
+    """Equally spaced, the middle among them."""
+    return [Fraction(step, steps - 1) for step in range(steps)]
+
+
+def key_of(instance: bpy.types.DepsgraphObjectInstance) -> Key:
+    """The same for the same instance at any time."""
+    if not instance.is_instance:
+        return (instance.object.original.as_pointer(),)
+    return (instance.parent.original.as_pointer(), *instance.persistent_id)
+
+
+def _may_deform(shown: bpy.types.Object, scene: bpy.types.Scene) -> bool:
+    settings = getattr(shown, "cycles", None)
+    if settings is not None and not settings.use_deform_motion:
+        return False
+    # Hair, curves and points may change without a modifier of the kind.
+    is_mesh_alone = shown.type == "MESH" and not shown.particle_systems
+    return not is_mesh_alone or shown.is_deform_modified(scene, "RENDER")
+
+
+class Motion:
+    """What is there at each time but the middle."""
+
+    def __init__(self):
+        self._matrices: dict[Fraction, dict[Key, Matrix]] = {}
+        self._poses: dict[Fraction, dict[tuple[Key, str], Pose]] = {}
+        self._cameras: dict[str, dict[Fraction, CameraPose]] = {}
+
+    def matrices(self, key: Key, middle: Matrix, steps: int) -> list[Matrix]:
+        """At all times; an instance that is not found at one is there where it is half way."""
+        return [
+            middle if time == MIDDLE else self._matrices.get(time, {}).get(key, middle)
+            for time in times_of(steps)
+        ]
+
+    def poses(
+        self, instance: bpy.types.DepsgraphObjectInstance, source: Source, steps: int
+    ) -> list[Pose]:
+        """At all times; none if nothing deforms, or if other vertices are there at some time."""
+        place = (key_of(instance), source.part)
+        if place not in self._poses.get(Fraction(0), {}):
+            return []
+        middle = source.pose()
+        poses = [
+            middle if time == MIDDLE else self._poses.get(time, {}).get(place)
+            for time in times_of(steps)
+        ]
+        if not all(pose is not None and pose.is_like(middle) for pose in poses):
+            return []
+        return poses if any(pose.differs(middle) for pose in poses) else []
+
+    def camera_poses(self, view_name: str) -> list[CameraPose]:
+        """At the camera's times; the middle one alone if it is not to be blurred."""
+        found = self._cameras[view_name]
+        return [found[time] for time in sorted(found)]
+
+    def record_camera(self, view_name: str, time: Fraction, pose: CameraPose) -> None:
+        self._cameras.setdefault(view_name, {})[time] = pose
+
+    def record(self, time: Fraction, depsgraph: bpy.types.Depsgraph) -> None:
+        """What the depsgraph shows at that time."""
+        scene = depsgraph.scene_eval
+        matrices = self._matrices[time] = {}
+        poses = self._poses[time] = {}
+        by_source: dict[tuple[int, str], Pose] = {}
+        for instance in depsgraph.object_instances:
+            shown = instance.object
+            if shown.type not in TYPES or not (instance.show_self or instance.show_particles):
+                continue
+            steps = steps_of(shown, instance.parent if instance.is_instance else shown)
+            if not steps or time not in times_of(steps):
+                continue
+            key = key_of(instance)
+            matrices[key] = instance.matrix_world.copy()
+            if _may_deform(shown, scene):
+                for source in sources_of(instance, scene):
+                    if source.key not in by_source:
+                        by_source[source.key] = source.pose()
+                    poses[key, source.part] = by_source[source.key]
+
+
+def record_motion(
+    engine: bpy.types.RenderEngine,
+    depsgraph: bpy.types.Depsgraph,
+    shutter: Shutter,
+    frame: Frame,
+    check_cancel: Callable[[], None],
+) -> Motion:
+    """Go through the times at which the shutter is open, and leave Blender at the middle one."""
+    motion = Motion()
+    camera = engine.camera_override or depsgraph.scene_eval.camera
+    camera_times = {MIDDLE, *times_of(steps_of(camera, camera))}
+    views = [view.name for view in engine.get_result().views]
+    others = sorted({*camera_times, *_times_of_objects(depsgraph)} - {MIDDLE})
+    for time in (*others, MIDDLE):
+        check_cancel()
+        frame_number = shutter.frame_at(time)
+        # By the engine, whose own copy of the scene is to change, not the user's.
+        engine.frame_set(math.floor(frame_number), frame_number % 1.0)
+        if time != MIDDLE:
+            motion.record(time, depsgraph)
+        if time in camera_times:
+            camera = engine.camera_override or depsgraph.scene_eval.camera
+            for view_name in views:
+                engine.active_view_set(view_name)
+                pose = pose_of(engine, depsgraph, camera, frame)
+                motion.record_camera(view_name, time, pose)
+    return motion
+
+
+def _times_of_objects(depsgraph: bpy.types.Depsgraph) -> set[Fraction]:
+    counts = {
+        steps_of(instance.object, instance.parent if instance.is_instance else instance.object)
+        for instance in depsgraph.object_instances
+        if instance.object.type in TYPES
+    }
+    return {time for steps in counts if steps for time in times_of(steps)}
