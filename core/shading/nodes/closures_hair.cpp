@@ -125,10 +125,10 @@ public:
     {
         const ShadingPoint& point = in.hit().point;
         const GgxSurface fibre = fibre_surface(point, in.number(Roughness));
-        const float rest = add_dielectric(shaded.bsdf, fibre, Color3f(weight),
+        const float kept = add_dielectric(shaded.bsdf, fibre, Color3f(weight),
                                           {.ior = std::max(ior_range(in.number(Ior)), 1.0f)});
         // As much comes back as passes to the other side.
-        const Color3f half = color(in) * (0.5f * weight * rest);
+        const Color3f half = color(in) * (0.5f * weight * (1.0f - kept));
         shaded.bsdf.add(diffuse_lobe(half, fibre.normal, point.ns), half);
         shaded.bsdf.add(translucent_lobe(half, fibre.normal, point.ns), half);
     }
