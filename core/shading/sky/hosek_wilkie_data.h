@@ -7,15 +7,16 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace eye_render {
 
 // For albedos of the ground of 0 and 1, ten turbidities from 1 on, and six control points of a
 // Bezier curve over the sun's elevation: all of one before the next.
 struct HosekWilkieData {
-    static constexpr int turbidities = 10;
-    static constexpr int control_points = 6;
-    static constexpr int shape_parameters = 9;
+    static constexpr std::size_t turbidities = 10;
+    static constexpr std::size_t control_points = 6;
+    static constexpr std::size_t shape_parameters = 9;
 
     std::array<float, 2 * turbidities * control_points * shape_parameters> shape;
     std::array<float, 2 * turbidities * control_points> radiance;  // the mean of the dome
