@@ -85,7 +85,7 @@ EmbreeShape make(RTCDevice device, const TriangleShape& shape)
         const std::span<V3f> positions = geometry.buffer<V3f>(
             RTC_BUFFER_TYPE_VERTEX, step, RTC_FORMAT_FLOAT3, steps[step].size());
         std::ranges::copy(steps[step], positions.begin());
-        made.positions.steps.push_back(positions);
+        made.positions.steps.emplace_back(positions);
     }
     std::ranges::copy(shape.triangles,
                       geometry

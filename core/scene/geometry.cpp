@@ -102,7 +102,7 @@ Imath::Box3f bounds_of(const Geometry& geometry)
     if (const Curves* curves = std::get_if<Curves>(&geometry)) {
         extend_all(curves->keys, curves->motion);
     } else {
-        const Points& points = std::get<Points>(geometry);
+        const auto& points = std::get<Points>(geometry);
         extend_all(points.points, points.motion);
     }
     return box;

@@ -46,8 +46,8 @@ TEST(CameraMotion, turns_evenly_and_the_short_way)
     const CameraMotion motion({pose({0, 0, 0}, 3.0), pose({4, 0, 0}, -3.0)});
     const double way = 2.0 * (std::numbers::pi - 3.0);
     const CameraFrame frame = motion.at(0.25f);
-    expect_near(frame.axis_x, pose({}, 3.0 + 0.25 * way).axis_x);
-    expect_near(frame.axis_y, pose({}, 3.0 + 0.25 * way).axis_y);
+    expect_near(frame.axis_x, pose(V3d(0.0), 3.0 + 0.25 * way).axis_x);
+    expect_near(frame.axis_y, pose(V3d(0.0), 3.0 + 0.25 * way).axis_y);
     expect_near(frame.position_world, {1, 0, 0});
 }
 
@@ -62,7 +62,7 @@ TEST(CameraMotion, a_mirrored_camera_stays_mirrored)
 
 TEST(CameraMotion, zooms_by_the_slope)
 {
-    const CameraMotion motion({pose({}, 0.0, 0.2), pose({}, 0.0, 0.6)});
+    const CameraMotion motion({pose(V3d(0.0), 0.0, 0.2), pose(V3d(0.0), 0.0, 0.6)});
     EXPECT_NEAR(motion.at(0.5f).slope_right, 0.4, 1e-12);
     EXPECT_NEAR(motion.at(0.25f).slope_left, -0.3, 1e-12);
 }

@@ -40,6 +40,7 @@ public:
                       .is_mirrored = is_mirror(relative),
                       .look = {},
                       .visibility = {},
+                      .matte = {},
                       .emitters = {}};
     }
     Placed(const Placed&) = delete;
