@@ -106,8 +106,9 @@ void bind_instances(SceneClass& scene)
         "light_group"_a = "", "motion"_a = py::none(),
         "Places a geometry at each of the matrices (n, 4, 4), one material a slot. For the\n"
         "Object Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
-        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, SHADOW rays; a holdout is cut "
-        "out\n"
+        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, VOLUME_SCATTER, SHADOW rays; a "
+        "holdout is "
+        "cut out\n"
         "of the picture. attributes (n, 4), of objects, where the geometry has none of the name.\n"
         "Of a shadow catcher only what objects change is seen. name, asset: for Cryptomatte, of "
         "the\n"

@@ -32,53 +32,73 @@ TextureOptions texture_options(const std::string& colorspace,
                                           {"NONE", AlphaChannel::Ignored}})};
 }
 
-// Of the graph that `surface` is of, too.
-AovsByName aovs_from(const std::map<std::string, NodeSocket>& sockets,
-                     const std::optional<NodeSocket>& surface)
-{
-    AovsByName aovs;
-    for (const auto& [name, socket] : sockets) {
-        if (!surface || surface->graph != socket.graph) {
-            throw std::invalid_argument("AOV '" + name + "' is of another graph than the surface");
+// Sockets of one graph, each of which may be missing.
+class Outputs {
+public:
+    explicit Outputs(std::string what) : what_(std::move(what)) {}
+
+    [[nodiscard]] std::optional<NodeOutput> take(const std::optional<NodeSocket>& socket)
+    {
+        if (!socket) {
+            return std::nullopt;
         }
-        aovs[name] = socket.output;
+        if (graph_ && graph_ != socket->graph) {
+            throw std::invalid_argument("the outputs of " + what_ +
+                                        " are of two graphs; expected one");
+        }
+        graph_ = socket->graph;
+        return socket->output;
     }
-    return aovs;
-}
+    [[nodiscard]] AovsByName take(const std::map<std::string, NodeSocket>& sockets)
+    {
+        AovsByName aovs;
+        for (const auto& [name, socket] : sockets) {
+            aovs[name] = *take(std::optional(socket));
+        }
+        return aovs;
+    }
+    [[nodiscard]] NodeGraph graph() const { return graph_ ? *graph_ : NodeGraph{}; }
+
+private:
+    std::string what_;
+    std::shared_ptr<const NodeGraph> graph_;
+};
 
 std::size_t add_material(SceneBuilder& scene,
                          const std::string& name,
                          const std::optional<NodeSocket>& surface,
                          const std::optional<NodeSocket>& displacement,
+                         const std::optional<NodeSocket>& volume,
                          int pass_index,
                          const std::map<std::string, NodeSocket>& aovs)
 {
-    const NodeGraph nothing;
-    const auto output = [](const std::optional<NodeSocket>& socket) {
-        return socket ? std::optional(socket->output) : std::nullopt;
-    };
-    if (surface && displacement && surface->graph != displacement->graph) {
-        throw std::invalid_argument("surface and displacement of material '" + name +
-                                    "' are of two graphs; expected one");
-    }
-    const std::optional<NodeSocket>& any = surface ? surface : displacement;
-    return scene.add_material(name, any ? *any->graph : nothing, output(surface),
-                              output(displacement), pass_index, aovs_from(aovs, any));
+    Outputs outputs("material '" + name + "'");
+    const MaterialOutputs taken{.surface = outputs.take(surface),
+                                .displacement = outputs.take(displacement),
+                                .volume = outputs.take(volume)};
+    const AovsByName written = outputs.take(aovs);
+    return scene.add_material(name, outputs.graph(), taken, pass_index, written);
 }
 
 void set_world(SceneBuilder& scene,
                const py::object& surface,
+               const std::optional<NodeSocket>& volume,
                const std::map<std::string, NodeSocket>& aovs)
 {
+    Outputs outputs("the world");
+    MaterialOutputs taken{.volume = outputs.take(volume)};
     if (py::isinstance<NodeSocket>(surface)) {
-        const auto& socket = surface.cast<const NodeSocket&>();
-        scene.set_world(*socket.graph, socket.output, aovs_from(aovs, socket));
+        taken.surface = outputs.take(surface.cast<NodeSocket>());
+        const AovsByName written = outputs.take(aovs);
+        scene.set_world(outputs.graph(), taken, written);
         return;
     }
-    NodeGraph graph;
+    const AovsByName written = outputs.take(aovs);
+    NodeGraph graph = outputs.graph();
     const std::size_t background = graph.add("BACKGROUND");
     graph.set(background, "Color", V3f(color_from("world color", surface)));
-    scene.set_world(graph, graph.output(background, "Background"));
+    taken.surface = graph.output(background, "Background");
+    scene.set_world(graph, taken, written);
 }
 
 template <typename Pixels, typename Number>
@@ -145,12 +165,16 @@ void bind_materials(SceneClass& scene)
             "straight\n"
             "alpha, or float32 multiplied by it.")
         .def("add_material", &add_material, "name"_a, "surface"_a = py::none(),
-             "displacement"_a = py::none(), "pass_index"_a = 0, "aovs"_a = py::dict(),
-             "Number of a material: outputs of one graph. None is black; displacement is shown as "
-             "bump.")
+             "displacement"_a = py::none(), "volume"_a = py::none(), "pass_index"_a = 0,
+             "aovs"_a = py::dict(),
+             "Number of a material: outputs of one graph. A surface of None is black, or clear "
+             "around\n"
+             "a volume, which is what fills a closed mesh; displacement is shown as bump.")
         .def("set_world_light_group", &SceneBuilder::set_world_light_group, "name"_a)
-        .def("set_world", &set_world, "surface"_a, "aovs"_a = py::dict(),
-             "The light around the scene: an output of a Background node, or one colour.");
+        .def("set_world", &set_world, "surface"_a, "volume"_a = py::none(), "aovs"_a = py::dict(),
+             "The light around the scene: an output of a Background node, or one colour; and what "
+             "the\n"
+             "scene is full of.");
 }
 
 }  // namespace eye_render

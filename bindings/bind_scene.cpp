@@ -64,6 +64,7 @@ Visibility visibility_from(const std::vector<std::string>& hidden_from)
                                                {"DIFFUSE", &Visibility::to_diffuse},
                                                {"GLOSSY", &Visibility::to_glossy},
                                                {"TRANSMISSION", &Visibility::to_transmission},
+                                               {"VOLUME_SCATTER", &Visibility::to_volume_scatter},
                                                {"SHADOW", &Visibility::to_shadow}}) = false;
     }
     return visibility;

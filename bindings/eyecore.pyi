@@ -253,6 +253,7 @@ class Scene:
         name: str,
         surface: NodeSocket | None = None,
         displacement: NodeSocket | None = None,
+        volume: NodeSocket | None = None,
         pass_index: int = 0,
         aovs: Mapping[str, NodeSocket] = ...,
     ) -> int: ...
@@ -337,7 +338,10 @@ class Scene:
         has_own_space: bool = True,
     ) -> None: ...
     def set_world(
-        self, surface: NodeSocket | Sequence[float], aovs: Mapping[str, NodeSocket] = ...
+        self,
+        surface: NodeSocket | Sequence[float],
+        volume: NodeSocket | None = None,
+        aovs: Mapping[str, NodeSocket] = ...,
     ) -> None: ...
     def set_world_light_group(self, name: str) -> None: ...
     def set_camera(
@@ -385,6 +389,7 @@ class LightPathLimits:
         diffuse_bounces: int = 1024,
         glossy_bounces: int = 1024,
         transmission_bounces: int = 1024,
+        volume_bounces: int = 1024,
         transparent_bounces: int = 256,
         reflective_caustics: bool = True,
         refractive_caustics: bool = True,

@@ -41,6 +41,7 @@ def limits(scene: bpy.types.Scene):
             diffuse_bounces=cycles.diffuse_bounces,
             glossy_bounces=cycles.glossy_bounces,
             transmission_bounces=cycles.transmission_bounces,
+            volume_bounces=cycles.volume_bounces,
             transparent_bounces=cycles.transparent_max_bounces,
             reflective_caustics=cycles.caustics_reflective,
             refractive_caustics=cycles.caustics_refractive,

@@ -74,7 +74,11 @@ bool has_light(const SceneData& scene, const RenderPlan& plan)
                     [](const LampData& lamp) { return lamp.settings.color != Color3f(0.0f); });
     const auto radiance = scene.world.surface.constant_emission();
     const bool has_world = !radiance || *radiance != Color3f(0.0f);
-    return has_lamp || has_world || plan.emissive_meshes;
+    const bool has_glow = scene.world.volume.may_emit() ||
+                          std::ranges::any_of(scene.materials, [](const Material& m) {
+                              return m.volume.may_emit();
+                          });
+    return has_lamp || has_world || has_glow || plan.emissive_meshes;
 }
 
 }  // namespace

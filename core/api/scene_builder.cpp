@@ -85,18 +85,25 @@ std::size_t SceneBuilder::add_geometry(Geometry geometry)
 
 std::size_t SceneBuilder::add_material(const std::string& name,
                                        const NodeGraph& graph,
-                                       const std::optional<NodeOutput>& surface,
-                                       const std::optional<NodeOutput>& displacement,
+                                       const MaterialOutputs& outputs,
                                        int pass_index,
                                        const AovsByName& aovs)
 {
     require_unleased();
     SceneResources resources(data_);
-    Material material =
-        make_material(name, graph, surface, displacement, resources, numbered(aovs));
+    Material material = make_material(name, graph, outputs, resources, numbered(aovs));
     material.pass_index = pass_index;
+    warn_of_variation("material '" + name + "'", material.volume);
     data_.materials.push_back(std::move(material));
     return data_.materials.size() - 1;
+}
+
+void SceneBuilder::warn_of_variation(const std::string& what, const ShaderProgram& volume)
+{
+    if (volume.varies_in_space()) {
+        warnings_.push_back(what + ": the volume varies in space, which is not supported; its "
+                                   "mean is shown");
+    }
 }
 
 void SceneBuilder::add_instance(InstanceData instance)
@@ -135,7 +142,7 @@ void SceneBuilder::add_lamp(LampData lamp,
     require_finite("world_from_light of lamp '" + lamp.name + "'", lamp.world_from_light);
     if (surface) {
         SceneResources resources(data_);
-        Material nodes = make_material(lamp.name, graph, surface, std::nullopt, resources);
+        Material nodes = make_material(lamp.name, graph, {.surface = surface}, resources);
         if (const auto constant = nodes.surface.constant_emission()) {
             lamp.settings.color *= *constant;
         } else {
@@ -151,12 +158,13 @@ void SceneBuilder::add_lamp(LampData lamp,
 }
 
 void SceneBuilder::set_world(const NodeGraph& graph,
-                             const std::optional<NodeOutput>& surface,
+                             const MaterialOutputs& outputs,
                              const AovsByName& aovs)
 {
     require_unleased();
     SceneResources resources(data_);
-    data_.world = make_material("world", graph, surface, std::nullopt, resources, numbered(aovs));
+    data_.world = make_material("world", graph, outputs, resources, numbered(aovs));
+    warn_of_variation("world", data_.world.volume);
     data_.world_sun = sun_above(graph);
 }
 

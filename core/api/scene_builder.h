@@ -22,11 +22,9 @@ public:
     // Each of these returns the number by which the thing is referred to later, and throws
     // std::invalid_argument that names what is wrong.
     std::size_t add_geometry(Geometry geometry);
-    // What `surface` and `displacement` (shown as bump) of the graph make; nothing is black.
     std::size_t add_material(const std::string& name,
                              const NodeGraph& graph,
-                             const std::optional<NodeOutput>& surface,
-                             const std::optional<NodeOutput>& displacement = std::nullopt,
+                             const MaterialOutputs& outputs,
                              int pass_index = 0,
                              const AovsByName& aovs = {});
     void add_instance(InstanceData instance);
@@ -37,7 +35,7 @@ public:
                   const NodeGraph& graph = {},
                   const std::optional<NodeOutput>& surface = std::nullopt);
     void set_world(const NodeGraph& graph,
-                   const std::optional<NodeOutput>& surface,
+                   const MaterialOutputs& outputs,
                    const AovsByName& aovs = {});
     // `motion`: frames of the same size at the times of scene/motion.h, or none.
     void set_camera(const CameraFrame& frame, std::vector<CameraFrame> motion = {});
@@ -65,6 +63,7 @@ public:
 private:
     void require_unleased() const;
     [[nodiscard]] std::vector<AovOutput> numbered(const AovsByName& aovs);
+    void warn_of_variation(const std::string& what, const ShaderProgram& volume);
     [[nodiscard]] std::vector<const Material*> materials_at(
         const std::vector<std::size_t>& numbers) const;
 

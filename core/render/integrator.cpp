@@ -1,38 +1,49 @@
 #include "render/integrator.h"
 
 #include "render/multiple_importance.h"
-#include "render/path_state.h"
-
-#include <array>
-#include <cmath>
-#include <limits>
-#include <utility>
+#include "render/path_walk.h"
+#include "render/shadow.h"
 
 namespace eye_render {
 
 namespace {
 
-class PathTracer {
+class PathTracer : private PathWalk {
 public:
     PathTracer(const Scene& scene,
                const IntegratorSettings& settings,
                SampleSequence& sequence,
                PassValues* values)
-        : scene_(scene), settings_(settings), sequence_(sequence), light_(values, settings.limits),
-          passes_(values, settings.surface_passes)
+        : PathWalk(scene, settings, sequence, values), passes_(values, settings.surface_passes)
     {
     }
 
-    PathTracer(const PathTracer&) = delete;
-    PathTracer& operator=(const PathTracer&) = delete;
-
     PathRadiance trace(const Ray& camera_ray)
     {
-        last_->point.p_world = camera_ray.origin;
         Ray ray = camera_ray;
+        start(ray);
         for (;;) {
             auto hit = scene_.intersect(ray, path_);
+            if (!hit) {
+                media_.leave_meshes();
+            }
             add_lamps(ray, hit ? hit->t : ray.t_max);
+            if (media_.in_medium()) {
+                const bool is_scattered = fly(ray, hit ? std::optional(hit->t) : std::nullopt);
+                if (max_component(throughput_) <= 0.0f) {
+                    break;
+                }
+                if (is_scattered) {
+                    continue;
+                }
+            }
+            if (hit && hit->material().is_boundary) {
+                pass_through(ray, *hit);
+                if (++boundaries_ > max_boundaries) {
+                    break;
+                }
+                continue;
+            }
             if (!hit) {
                 add_background(ray);
                 break;
@@ -64,6 +75,7 @@ public:
                 if (max_component(throughput_) <= 0.0f) {
                     break;
                 }
+                ++path_.transparent_depth;
                 pass_through(ray, *hit);
                 continue;
             }
@@ -76,22 +88,14 @@ public:
             }
             throughput_ *= sample->weight;
             if (sample->is_straight) {
+                ++path_.transparent_depth;
                 pass_through(ray, *hit);
                 continue;
             }
-            length_ += hit->t;
             if (path_.depth == 0 && light_.wants_shares()) {
                 light_.scatter_first(scatter_shares(shaded.bsdf, *sample));
             }
-            scatter(*sample);
-            std::swap(last_, here_);
-            last_->point.p_world = hit->p_world;
-            last_->pdf = sample->pdf;
-            last_->is_delta = sample->is_delta;
-            travelled_ = 0.0f;
-            ray = {.origin = hit->origin_towards(sample->wi),
-                   .direction = sample->wi,
-                   .time = ray.time};
+            scatter(ray, *hit, *sample);
             if (!survives_roulette(u[3])) {
                 break;
             }
@@ -112,29 +116,15 @@ private:
                          throughput_ * behind);
     }
 
-    void pass_through(Ray& ray, const SurfaceHit& hit)
-    {
-        travelled_ += hit.t;
-        length_ += hit.t;
-        ++path_.transparent_depth;
-        ray = passed_through(ray, hit);
-    }
-
-    void scatter(const BsdfSample& sample)
-    {
-        note_scattering(path_, sample, settings_.limits);
-        shows_film_ = shows_film_ && sample.is_transmitted &&
-                      sample.alpha_squared <= settings_.clear_alpha_squared;
-    }
-
     void add_lamps(const Ray& ray, float t_end)
     {
-        scene_.visit_lamps(last_->point, path_, ray.direction, travelled_, travelled_ + t_end,
-                           [this](const LampContribution& lamp) {
-                               light_.add(throughput_ * lamp.radiance *
-                                              last_->weight_against(lamp.pdf),
-                                          lamp.origin, path_.depth);
-                           });
+        scene_.visit_lamps(
+            last_->point, path_, ray.direction, travelled_, travelled_ + t_end,
+            [this](const LampContribution& lamp) {
+                const Color3f left = media_.mixture().transmittance(lamp.t - travelled_);
+                light_.add(throughput_ * left * lamp.radiance * last_->weight_against(lamp.pdf),
+                           lamp.origin, path_.depth);
+            });
     }
 
     // True where a holdout leaves nothing to be seen.
@@ -182,10 +172,10 @@ private:
         const auto u = sequence_.next();
         // Where light passes through, lamps on both sides count.
         const V3f lit_side = bsdf.transmits() ? V3f(0.0f) : hit.point.ng;
-        scene_.weigh_lights(hit.p_world, lit_side, here_->point);
+        scene_.weigh_lights(hit.p_world, lit_side, last_.next_point());
         // A float's 24 bits are too few to choose among many lights.
         const double choice = u[2] + 0x1p-24 * static_cast<double>(u[3]);
-        const auto light = scene_.sample_light(here_->point, choice, V2f(u[0], u[1]));
+        const auto light = scene_.sample_light(last_.next_point(), choice, V2f(u[0], u[1]));
         if (!light || (path_.sees_catchers_only && !light->is_of_catcher)) {
             return;
         }
@@ -198,40 +188,13 @@ private:
         }
         const float weight =
             light->is_met_by_rays ? power_heuristic(light->pdf, scattered.pdf) : 1.0f;
-        Color3f contribution =
-            throughput_ * scattered.value * light->radiance * (weight / light->pdf);
-        if (light->casts_shadow) {
-            contribution *= scene_.transmittance(shadow_ray(hit, *light), path_,
-                                                 settings_.limits.transparent_bounces -
-                                                     path_.transparent_depth);
-        }
+        const Color3f contribution =
+            throughput_ * scattered.value * light->radiance * (weight / light->pdf) *
+            unshadowed(scene_, hit, *light, path_, passages_left(), media_);
         light_.add_lit(contribution, light->origin, path_.depth + 1, bsdf, light->wi);
     }
 
-    bool survives_roulette(float u)
-    {
-        const float probability = roulette_survival(path_.depth, throughput_);
-        if (!(u < probability)) {
-            return false;
-        }
-        throughput_ /= probability;
-        return true;
-    }
-
-    const Scene& scene_;
-    const IntegratorSettings& settings_;
-    SampleSequence& sequence_;
-    PathLight light_;
     SurfacePasses passes_;
-    Color3f throughput_{1.0f};
-    std::array<Scattering, 2> scatterings_;
-    Scattering* last_ = scatterings_.data();
-    Scattering* here_ =
-        scatterings_.data() + 1;  // becomes the last one when the path is scattered here
-    float travelled_ = 0.0f;      // from the last scattering, through straight passages
-    float length_ = 0.0f;         // of all of the path
-    PathState path_;
-    bool shows_film_ = true;  // nothing has come between it and the eye but what is clear
 };
 
 }  // namespace

@@ -9,6 +9,7 @@ void require_valid(const LightPathLimits& limits)
     require_range("diffuse_bounces", limits.diffuse_bounces, 0, most_bounces, "");
     require_range("glossy_bounces", limits.glossy_bounces, 0, most_bounces, "");
     require_range("transmission_bounces", limits.transmission_bounces, 0, most_bounces, "");
+    require_range("volume_bounces", limits.volume_bounces, 0, most_bounces, "");
     require_range("transparent_bounces", limits.transparent_bounces, 0, most_bounces, "");
     constexpr double most_light = 1e10;
     require_range("filter_glossy", static_cast<double>(limits.filter_glossy), 0.0, 1e4, "");

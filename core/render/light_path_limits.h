@@ -11,11 +11,13 @@ namespace eye_render {
 inline constexpr int most_bounces = 1024;
 
 struct LightPathLimits {
-    // Bounces of a kind among all: by reflection on wide lobes, on glossy ones, and of both kinds
-    // through a surface. The ray after the last one still finds what shines by itself.
+    // Bounces of a kind among all: by reflection on wide lobes, on glossy ones, of both kinds
+    // through a surface, and in media. The ray after the last one still finds what shines by
+    // itself.
     int diffuse_bounces = most_bounces;
     int glossy_bounces = most_bounces;
     int transmission_bounces = most_bounces;
+    int volume_bounces = most_bounces;
     // Surfaces that a shadow ray passes straight through; a path passes one more.
     int transparent_bounces = max_straight_passages;
     // Glossy reflection and refraction of what lights diffuse surfaces.

@@ -5,7 +5,8 @@
 
 #include "scene/scene.h"
 
-#include <cmath>
+#include <array>
+#include <utility>
 
 namespace eye_render {
 
@@ -32,17 +33,32 @@ struct Scattering {
     }
 };
 
-// From clear of the surface to the light's own place: a ray that kept the direction from the
-// surface would miss that place by the offset.
-[[nodiscard]] inline Ray shadow_ray(const SurfaceHit& hit, const IncomingLight& light)
-{
-    Ray ray{.origin = hit.origin_towards(light.wi), .direction = light.wi, .time = hit.time};
-    if (std::isfinite(light.distance)) {
-        const V3f to_light = hit.p_world + light.wi * light.distance - ray.origin;
-        ray.t_max = to_light.length();
-        ray.direction = to_light / ray.t_max;
+// The last scattering of a path, and room to weigh the lights for the next one.
+class LastScattering {
+public:
+    LastScattering() = default;
+    LastScattering(const LastScattering&) = delete;
+    LastScattering& operator=(const LastScattering&) = delete;
+
+    const Scattering* operator->() const { return last_; }
+
+    // The camera's own place, where no light sampling competes with rays.
+    void start(const V3f& p_world) { last_->point.p_world = p_world; }
+    // Where lights are to be weighed for the place that the path has come to.
+    [[nodiscard]] LitPoint& next_point() { return next_->point; }
+    // The path goes on from there. If not `is_delta`, the lights were weighed.
+    void move_on(const V3f& p_world, float pdf, bool is_delta)
+    {
+        std::swap(last_, next_);
+        last_->point.p_world = p_world;
+        last_->pdf = pdf;
+        last_->is_delta = is_delta;
     }
-    return ray;
-}
+
+private:
+    std::array<Scattering, 2> scatterings_;
+    Scattering* last_ = scatterings_.data();
+    Scattering* next_ = scatterings_.data() + 1;
+};
 
 }  // namespace eye_render

@@ -25,6 +25,7 @@ struct ScatterShares {
     Color3f volume{0.0f};
 };
 
+inline const ScatterShares shares_of_medium{.volume = Color3f(1.0f)};
 // Of light from `wi`: as the lobes weigh there.
 [[nodiscard]] ScatterShares scatter_shares(const Bsdf& bsdf, const V3f& wi);
 // Of light from where the sample points; of a delta lobe it is the lobe's own.
@@ -61,6 +62,12 @@ public:
     {
         const bool is_first = bounces == 1 && wants_shares();
         add(contribution, origin, bounces, is_first ? scatter_shares(bsdf, wi) : first_);
+    }
+
+    // The same of light that a medium scatters on the way of the path.
+    void add_lit_in_medium(const Color3f& contribution, const LightOrigin& origin, int bounces)
+    {
+        add(contribution, origin, bounces, bounces == 1 ? shares_of_medium : first_);
     }
 
     // The world behind a transparent film: in its pass, though in no sum.

@@ -1,4 +1,4 @@
-// What a path becomes where a surface scatters it, and where its bounces end.
+// What a path becomes where a surface or a medium scatters it, and where its bounces end.
 
 #pragma once
 
@@ -20,6 +20,7 @@ inline void note_scattering(PathState& path,
     path.is_singular = sample.is_delta;
     path.is_transmission = sample.is_transmitted;
     path.is_reflection = !sample.is_transmitted;
+    path.is_volume_scatter = false;
     path.shows_reflections = limits.reflective_caustics || !sample.is_diffuse;
     path.shows_refractions = limits.refractive_caustics || !sample.is_diffuse;
     if (!sample.is_delta) {
@@ -43,6 +44,17 @@ inline void blur_after(const PathState& path, const LightPathLimits& limits, Bsd
     }
 }
 
+inline void note_medium_scattering(PathState& path, float pdf)
+{
+    path.smallest_pdf = std::min(path.smallest_pdf, pdf);
+    path.is_camera = path.is_diffuse = path.is_glossy = path.is_singular = false;
+    path.is_transmission = path.is_reflection = false;
+    path.is_volume_scatter = true;
+    path.shows_reflections = path.shows_refractions = true;
+    ++path.depth;
+    ++path.volume_depth;
+}
+
 // True for the ray after the last bounce, which only finds what shines by itself.
 [[nodiscard]] inline bool had_last_bounce(const PathState& path,
                                           int max_bounces,
@@ -50,7 +62,8 @@ inline void blur_after(const PathState& path, const LightPathLimits& limits, Bsd
 {
     return path.depth > max_bounces || path.diffuse_depth > limits.diffuse_bounces ||
            path.glossy_depth > limits.glossy_bounces ||
-           path.transmission_depth > limits.transmission_bounces;
+           path.transmission_depth > limits.transmission_bounces ||
+           path.volume_depth > limits.volume_bounces;
 }
 
 // The probability with which a path of this throughput goes on. By its square root: paths are

@@ -123,6 +123,18 @@ void plan_lights(RenderPlan& plan, const SceneData& scene)
     plan.environment_table = !scene.world.surface.constant_emission();
 }
 
+std::string volumes_text(const RenderPlan& plan)
+{
+    std::string text;
+    if (plan.filled_objects > 0) {
+        text = "in " + std::to_string(plan.filled_objects) + " objects";
+    }
+    if (plan.filled_world) {
+        text += std::string(text.empty() ? "" : " and ") + "in the world";
+    }
+    return text.empty() ? "none" : text;
+}
+
 }  // namespace
 
 RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
@@ -140,6 +152,12 @@ RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
         plan.transparent_shadows = plan.transparent_shadows || instance.is_shadow_catcher ||
                                    !instance.visibility.to_shadow;
         plan.shadow_catcher = plan.shadow_catcher || instance.is_shadow_catcher;
+        plan.filled_objects +=
+            std::ranges::any_of(
+                instance.materials,
+                [&](std::size_t material) { return scene.materials[material].has_volume(); })
+                ? 1
+                : 0;
     }
     plan.placements = scene.instances.size();
     plan.deforming_meshes =
@@ -153,6 +171,7 @@ RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
     plan.uv_layers = names_of(uv_layers_read(materials), scene.uv_layer_names);
     plan.attributes = names_of(attributes_read(materials), scene.attribute_names);
     plan_lights(plan, scene);
+    plan.filled_world = scene.world.has_volume();
     plan.passes = std::move(passes);
     return plan;
 }
@@ -191,6 +210,7 @@ std::string RenderPlan::text() const
         << area_lamps << " area; emissive meshes: " << (emissive_meshes ? "yes" : "no")
         << "; environment table: " << (environment_table ? "yes" : "no") << '\n';
     out << "shadows: " << (transparent_shadows ? "materials may pass light" : "opaque") << '\n';
+    out << "volumes: " << volumes_text(*this) << '\n';
     out << "lens: " << (lens ? "sampled" : "pinhole") << ", largest blur at most "
         << largest_blur_px << " px; wavelengths: " << (chromatic ? "sampled" : "one")
         << "; Stiles-Crawford: " << (stiles_crawford ? "on" : "off") << '\n';

@@ -29,6 +29,8 @@ struct RenderPlan {
     bool emissive_meshes = false;
     bool environment_table = false;    // the world differs by direction: importance sampled
     bool transparent_shadows = false;  // shadow rays must look at materials
+    std::size_t filled_objects = 0;    // with a medium inside
+    bool filled_world = false;         // none of both: rays do not look after what they are in
     double largest_blur_px = 0.0;      // an upper bound over everything in view
     bool lens = false;                 // false: one ray through the pupil's centre serves
     bool chromatic = false;            // a wavelength for each path, if there is blur to show it

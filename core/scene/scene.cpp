@@ -5,6 +5,7 @@
 #include "scene/transform.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace eye_render {
 
@@ -26,13 +27,15 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFra
         frame_.direction_view.camera_from_world[3][axis] = 0.0f;
     }
     add_placements();
+    add_media();
     accelerator_.build();
 
     add_lamps();
     environment_ = Environment(data.world, frame_, data.world_sun);
     std::vector<EmissiveTriangle> triangles;
     add_emitters(triangles);
-    light_sampler_ = LightSampler(lamps_, triangles, environment_);
+    light_sampler_ =
+        LightSampler(lamps_, triangles, is_cut_off_from_infinity() ? Environment() : environment_);
 }
 
 std::optional<SurfaceHit> Scene::intersect(const Ray& ray, const PathState& path) const
@@ -91,9 +94,12 @@ Color3f Scene::straight_transmittance(const SurfaceHit& hit, const PathState& pa
     });
 }
 
-Color3f Scene::transmittance(const Ray& ray, const PathState& path, int most_passages) const
+Color3f Scene::transmittance(const Ray& ray,
+                             const PathState& path,
+                             int most_passages,
+                             MediumStack* media) const
 {
-    if (!may_be_transparent_) {
+    if (!may_be_transparent_ && media == nullptr) {
         return Color3f(accelerator_.occluded(ray) ? 0.0f : 1.0f);
     }
     Color3f result(1.0f);
@@ -101,20 +107,34 @@ Color3f Scene::transmittance(const Ray& ray, const PathState& path, int most_pas
     shadow.is_camera = false;
     shadow.is_shadow = true;
     Ray rest = ray;
-    for (int passages = 0; passages <= most_passages; ++passages) {
+    int boundaries = 0;
+    for (int passages = 0; passages <= most_passages && boundaries <= max_boundaries;) {
         const auto hit = intersect(rest, shadow);
+        if (hit && !hit->material().surface.may_be_transparent()) {
+            break;
+        }
+        if (media != nullptr) {
+            if (!hit && !std::isfinite(rest.t_max)) {
+                media->leave_meshes();
+            }
+            result *= media->mixture().transmittance(hit ? hit->t : rest.t_max);
+        }
         if (!hit) {
             return result;
         }
-        const Material& material = hit->material();
-        if (!material.surface.may_be_transparent()) {
-            break;
+        if (hit->material().is_boundary) {
+            ++boundaries;
+        } else {
+            shadow.length = hit->t;
+            result *= straight_transmittance(*hit, shadow);
+            ++shadow.transparent_depth;
+            ++passages;
         }
-        shadow.length = hit->t;
-        result *= straight_transmittance(*hit, shadow);
-        ++shadow.transparent_depth;
         if (max_component(result) <= 0.0f) {
             break;
+        }
+        if (media != nullptr) {
+            media->cross(*hit);
         }
         rest = passed_through(rest, *hit);
     }

@@ -11,10 +11,14 @@
 #include "scene/lamp_attributes.h"
 #include "scene/lamp_tree.h"
 #include "scene/light_sampler.h"
+#include "scene/medium_stack.h"
 #include "scene/scene_data.h"
 #include "scene/scene_frame.h"
 #include "scene/surface_hit.h"
 
+#include <Imath/ImathBox.h>
+
+#include <deque>
 #include <functional>
 #include <optional>
 #include <vector>
@@ -43,6 +47,7 @@ struct IncomingLight {
 
 // Lamps that a ray meets, to be weighed against sampling them.
 struct LampContribution {
+    float t = 0.0f;  // from the point
     Color3f radiance;
     float pdf = 0.0f;
     LightOrigin origin;
@@ -51,6 +56,9 @@ struct LampContribution {
 // Layers of straight transparency that a ray passes before it is given up: enough for foliage, and
 // an end where rounding never lets a ray out.
 inline constexpr int max_straight_passages = 256;
+
+// The same for what has a volume and no surface, as Cycles.
+inline constexpr int max_boundaries = 1024;
 
 // What is left of a ray behind a surface that let it pass.
 [[nodiscard]] Ray passed_through(const Ray& ray, const SurfaceHit& hit);
@@ -88,10 +96,17 @@ public:
     [[nodiscard]] const ViewFrame& view() const { return frame_.view; }
 
     // The part of the light that passes along the ray: 0 behind an opaque surface, and behind more
-    // than that many clear ones. `path` is that of the place it starts from.
+    // than that many clear ones. `path` is that of the place it starts from, and so are `media`,
+    // which the ray takes along; null in a scene without.
     [[nodiscard]] Color3f transmittance(const Ray& ray,
                                         const PathState& path = {},
-                                        int most_passages = max_straight_passages) const;
+                                        int most_passages = max_straight_passages,
+                                        MediumStack* media = nullptr) const;
+
+    // True if something fills a mesh or the world: then rays must look after what they are in.
+    [[nodiscard]] bool has_media() const { return world_medium_ || !media_.empty(); }
+    // What a path that starts at the point is in.
+    [[nodiscard]] MediumStack media_at(const V3f& p, float time = shutter_middle) const;
 
     // True if anything that throws shadows stands in the way, even if light passes through it.
     [[nodiscard]] bool is_blocked(const Ray& ray) const;
@@ -114,6 +129,10 @@ public:
     [[nodiscard]] std::optional<IncomingLight> sample_light(const LitPoint& point,
                                                             double u_light,
                                                             const V2f& u) const;
+
+    // The middle of a light that may be chosen for the point; nothing for one that is far from
+    // everything.
+    [[nodiscard]] std::optional<V3f> light_center(const LitPoint& point, double u_light) const;
 
     // Density of `sample_light` at a point for what a ray from there in direction wi met.
     [[nodiscard]] float emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const;
@@ -139,6 +158,7 @@ public:
                 const LampSight sight{
                     .p_lit_world = point.p_world, .wi = direction, .distance = hit->t};
                 visit(LampContribution{
+                    hit->t,
                     hit->radiance * lamp_factor(index, sight, path),
                     hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point),
                     {.group = data_.lamps[index].light_group}});
@@ -172,6 +192,12 @@ private:
     [[nodiscard]] std::vector<const Material*> materials_of(const InstanceData& instance) const;
     void note_visibility(const Placement& placement);
     void add_lamps();
+    void add_media();
+    [[nodiscard]] ParticipatingMedium medium_in(const Placement& placement,
+                                                std::size_t slot) const;
+    [[nodiscard]] ParticipatingMedium medium_of_world() const;
+    // True if the world's medium leaves nothing of light that comes from infinitely far.
+    [[nodiscard]] bool is_cut_off_from_infinity() const;
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
     // What the nodes of a lamp multiply its light by.
     [[nodiscard]] Color3f lamp_factor(std::uint32_t index,
@@ -193,6 +219,9 @@ private:
     std::vector<LayerLookup> geometry_layers_;
     std::vector<TextureSpace> texture_spaces_;  // one a geometry
     std::vector<Placement> placements_;
+    std::optional<ParticipatingMedium> world_medium_;
+    std::deque<ParticipatingMedium> media_;  // of placements, which point to them
+    Imath::Box3f media_box_;                 // around all of them
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;
     std::vector<LampSpace> lamp_spaces_;  // one a lamp

@@ -21,6 +21,9 @@ void Scene::add_lamps()
         lamp_spaces_.emplace_back(data.world_from_light, settings.has_own_space);
         Lamp& lamp = lamps_.back();
         lamp.brightness = brightest_factor(index);
+        if (lamp.kind == LampKind::Sun && is_cut_off_from_infinity()) {
+            lamp.emission = Color3f(0.0f);
+        }
         // Rays would lose a lamp without shadows behind what it shines through: sampling alone
         // finds it.
         if (!lamp.is_delta && lamp.casts_shadow) {

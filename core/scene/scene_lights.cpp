@@ -146,6 +146,20 @@ std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
     return light;
 }
 
+std::optional<V3f> Scene::light_center(const LitPoint& point, double u_light) const
+{
+    const auto choice = light_sampler_.choose(point, u_light);
+    if (!choice || choice->kind == LightKind::Environment) {
+        return std::nullopt;
+    }
+    if (choice->kind == LightKind::Triangle) {
+        const auto [p0, p1, p2] = corners_world(emitters_[choice->index]);
+        return (p0 + p1 + p2) / 3.0f;
+    }
+    const Lamp& lamp = lamps_[choice->index];
+    return lamp.kind == LampKind::Sun ? std::nullopt : std::optional(lamp.position);
+}
+
 std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
                                                    const V3f& p,
                                                    const V2f& u) const

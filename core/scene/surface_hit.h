@@ -31,10 +31,12 @@ struct Placement {
     const LayerLookup* layers = nullptr;
     const TextureSpace* texture_space = nullptr;
     std::vector<const Material*> materials;  // one a slot, at least one
-    Pose pose;                               // at the shutter's middle
-    bool is_flat = true;                     // the accelerator holds the positions in world space
-    bool is_mirrored = false;                // the determinant is negative
-    bool moves = false;                      // the accelerator knows where it is at other times
+    // Behind the surface, one a slot or null; empty: no medium.
+    std::vector<const ParticipatingMedium*> media{};
+    Pose pose;                 // at the shutter's middle
+    bool is_flat = true;       // the accelerator holds the positions in world space
+    bool is_mirrored = false;  // the determinant is negative
+    bool moves = false;        // the accelerator knows where it is at other times
     ObjectLook look;
     Visibility visibility;
     bool is_holdout = false;
@@ -56,6 +58,10 @@ struct Placement {
     {
         return *materials[material_slot(primitive)];
     }
+    [[nodiscard]] const ParticipatingMedium* medium(std::uint32_t primitive) const
+    {
+        return media.empty() ? nullptr : media[material_slot(primitive)];
+    }
 };
 
 struct SurfaceHit {
@@ -72,6 +78,10 @@ struct SurfaceHit {
     float depth = 0.0f;
 
     [[nodiscard]] const Material& material() const { return placement->material(primitive); }
+    [[nodiscard]] const ParticipatingMedium* medium() const
+    {
+        return placement->medium(primitive);
+    }
     // Where a ray in direction `wi` starts, clear of the surface.
     [[nodiscard]] V3f origin_towards(const V3f& wi) const
     {

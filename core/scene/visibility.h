@@ -11,11 +11,13 @@ struct Visibility {
     bool to_diffuse = true;
     bool to_glossy = true;
     bool to_transmission = true;
+    bool to_volume_scatter = true;
     bool to_shadow = true;
 
     [[nodiscard]] bool to_all() const
     {
-        return to_camera && to_diffuse && to_glossy && to_transmission && to_shadow;
+        return to_camera && to_diffuse && to_glossy && to_transmission && to_volume_scatter &&
+               to_shadow;
     }
 
     [[nodiscard]] bool to_all_scattering() const
@@ -41,6 +43,9 @@ struct Visibility {
         }
         if (path.is_camera) {
             return to_camera;
+        }
+        if (path.is_volume_scatter) {
+            return to_volume_scatter;
         }
         if (path.is_transmission) {
             return to_transmission;

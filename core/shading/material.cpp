@@ -59,8 +59,7 @@ const ShaderProgram* Material::aov(int number) const
 
 Material make_material(std::string name,
                        const NodeGraph& graph,
-                       const std::optional<NodeOutput>& surface,
-                       const std::optional<NodeOutput>& displacement,
+                       const MaterialOutputs& outputs,
                        NodeResources& resources,
                        const std::vector<AovOutput>& aovs)
 {
@@ -68,7 +67,17 @@ Material make_material(std::string name,
     Material material;
     material.matte = matte_id(name);
     material.name = std::move(name);
-    material.surface = ShaderProgram(graph, surface, displacement, read);
+    if (outputs.volume) {
+        material.volume = ShaderProgram(graph, outputs.volume, std::nullopt, read);
+    }
+    if (outputs.volume && !outputs.surface) {
+        material.is_boundary = true;
+        NodeGraph boundary;
+        const NodeOutput clear{.node = boundary.add("BSDF_TRANSPARENT")};
+        material.surface = ShaderProgram(boundary, clear, std::nullopt, read);
+    } else {
+        material.surface = ShaderProgram(graph, outputs.surface, outputs.displacement, read);
+    }
     for (const AovOutput& aov : aovs) {
         material.aovs.push_back(
             {.number = aov.number, .program = ShaderProgram::of_value(graph, aov.output, read)});
@@ -89,7 +98,7 @@ Material plain_material(std::string_view closure,
         graph.set(node, identifier, value);
     }
     NoResources resources;
-    return make_material(std::string(closure), graph, NodeOutput{.node = node}, std::nullopt,
+    return make_material(std::string(closure), graph, {.surface = NodeOutput{.node = node}},
                          resources);
 }
 

@@ -21,6 +21,8 @@ struct MaterialAov {
 struct Material {
     std::string name;
     ShaderProgram surface;
+    ShaderProgram volume;      // what fills the inside; without leaves for nothing
+    bool is_boundary = false;  // of the volume: there is no surface
     int pass_index = 0;
     float matte = no_matte;  // of its name
     // Numbers that the scene gave out, ascending and without repeats.
@@ -31,6 +33,7 @@ struct Material {
 
     // Nothing if the material writes out no such value.
     [[nodiscard]] const ShaderProgram* aov(int number) const;
+    [[nodiscard]] bool has_volume() const { return volume.leaf_count() > 0; }
 };
 
 struct AovOutput {
@@ -38,11 +41,18 @@ struct AovOutput {
     NodeOutput output;
 };
 
+// What is linked to a material's or a world's output: nothing is black, but light passes straight
+// through a surface of nothing around a volume. The displacement is shown as bump.
+struct MaterialOutputs {
+    std::optional<NodeOutput> surface{};
+    std::optional<NodeOutput> displacement{};
+    std::optional<NodeOutput> volume{};
+};
+
 // Throws std::invalid_argument as ShaderProgram does.
 [[nodiscard]] Material make_material(std::string name,
                                      const NodeGraph& graph,
-                                     const std::optional<NodeOutput>& surface,
-                                     const std::optional<NodeOutput>& displacement,
+                                     const MaterialOutputs& outputs,
                                      NodeResources& resources,
                                      const std::vector<AovOutput>& aovs = {});
 

@@ -72,6 +72,7 @@ struct PathState {
     bool is_singular = false;
     bool is_reflection = false;
     bool is_transmission = false;
+    bool is_volume_scatter = false;
     bool sees_catchers_only = false;  // as if there were nothing but shadow catchers
     float length = 0.0f;              // of the last ray, world units
     // The least density, per unit solid angle, with which it was scattered so far: blurry if
@@ -82,6 +83,7 @@ struct PathState {
     int glossy_depth = 0;
     int transparent_depth = 0;
     int transmission_depth = 0;
+    int volume_depth = 0;
     // What is off makes no caustics: glossy closures that a diffuse surface would be lit through.
     bool shows_reflections = true;
     bool shows_refractions = true;
@@ -95,6 +97,7 @@ struct Hit {
     const SurfaceProbe* probe = nullptr;  // null where no rays may be sent
 };
 
+class ParticipatingMedium;
 class ProgramRun;
 struct ProgramStep;
 
@@ -146,8 +149,8 @@ struct ShadedPoint {
     explicit ShadedPoint(const ShadingPoint& point) : bsdf(point.wo, point.ng) {}
 };
 
-// A BSDF or an emission: the leaves of a tree of Mix and Add Shader. `weight` is in (0, 1] but for
-// sums, where it may be more.
+// A BSDF, an emission or what fills a volume: the leaves of a tree of Mix and Add Shader. `weight`
+// is in (0, 1] but for sums, where it may be more.
 class ClosureNode {
 public:
     virtual ~ClosureNode() = default;
@@ -156,6 +159,13 @@ public:
 
     // Adds what scatters and what shines.
     virtual void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const = 0;
+
+    // Adds what it is as a volume.
+    virtual void fill(const NodeInputs& /*in*/,
+                      float /*weight*/,
+                      ParticipatingMedium& /*medium*/) const
+    {
+    }
 
     // The part of the light that passes straight through, without building the BSDF.
     [[nodiscard]] virtual Color3f straight_transmittance(const NodeInputs& /*in*/) const
@@ -189,7 +199,8 @@ struct NodeType {
     std::span<const OutputSocket> outputs;
     std::span<const std::string_view> options;  // the properties it knows
     NodeRole role = NodeRole::Value;
-    bool reads_hit = false;  // false: a function of its inputs alone
+    bool reads_hit = false;           // false: a function of its inputs alone
+    bool reads_object_alone = false;  // what it reads of the hit is the same all over an object
     // The one that fits the role. Throw std::invalid_argument for an option out of range.
     std::unique_ptr<const ValueNode> (*make_value)(const NodeOptions&, NodeResources&) = nullptr;
     std::unique_ptr<const ClosureNode> (*make_closure)(const NodeOptions&,

@@ -3,6 +3,7 @@
 #include "shading/bump.h"
 #include "shading/nowhere.h"
 #include "shading/object_space.h"
+#include "shading/participating_medium.h"
 
 #include <algorithm>
 
@@ -167,6 +168,24 @@ NodeValue ShaderProgram::value(const Hit& hit) const
 {
     ProgramRun run(steps_, value_count_, hit);
     return run.read(value_);
+}
+
+bool ShaderProgram::varies_in_space() const
+{
+    return std::ranges::any_of(steps_, &ProgramStep::varies_in_space);
+}
+
+ParticipatingMedium ShaderProgram::medium(const Hit& hit) const
+{
+    ProgramRun run(steps_, value_count_, hit);
+    ParticipatingMedium medium;
+    for (const ProgramLeaf& leaf : leaves_) {
+        const float weight = run.weight(leaf);
+        if (weight > 0.0f) {
+            leaf.closure->fill(NodeInputs(run, leaf.step), weight, medium);
+        }
+    }
+    return medium;
 }
 
 std::optional<Color3f> ShaderProgram::constant_emission() const

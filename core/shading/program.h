@@ -51,6 +51,7 @@ struct ProgramStep {
     int first_value = 0;
     int value_count = 0;
     std::uint32_t wanted_outputs = 0;  // one bit each
+    bool varies_in_space = false;      // reads more than what is the same all over an object
 };
 
 struct ProgramLeaf {
@@ -92,12 +93,17 @@ public:
 
     // Of a program that has one.
     [[nodiscard]] NodeValue value(const Hit& hit) const;
+    // What the closures make of the inside of an object, there.
+    [[nodiscard]] ParticipatingMedium medium(const Hit& hit) const;
 
     // True if light may pass straight through some point of the surface.
     [[nodiscard]] bool may_be_transparent() const { return may_be_transparent_; }
     [[nodiscard]] bool may_emit() const { return may_emit_; }
     // What `emission` gives everywhere, if it is one thing.
     [[nodiscard]] std::optional<Color3f> constant_emission() const;
+
+    // False if everything that is read is the same all over an object.
+    [[nodiscard]] bool varies_in_space() const;
 
     [[nodiscard]] std::size_t step_count() const { return steps_.size(); }
     [[nodiscard]] std::size_t leaf_count() const { return leaves_.size(); }

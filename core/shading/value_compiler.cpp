@@ -112,6 +112,10 @@ const ValueCompiler::Compiled& ValueCompiler::compile(std::size_t number)
     if (is_constant) {
         compiled.constants = fold(step);
     } else {
+        step.varies_in_space = (node.type->reads_hit && !node.type->reads_object_alone) ||
+                               std::ranges::any_of(step.inputs, [](const ProgramInput& input) {
+                                   return input.implicit != ImplicitInput::None;
+                               });
         value_count_ += step.value_count;
         compiled.step = static_cast<int>(steps_.size());
         steps_.push_back(std::move(step));

@@ -29,7 +29,7 @@ std::shared_ptr<SceneBuilder> wall(double distance, float radiance)
     M44d at;
     at.setTranslation(V3d(0, 0, -distance));
     scene->add_geometry(mesh);
-    scene->add_material("wall", graph, graph.output(emission, "Emission"));
+    scene->add_material("wall", graph, {.surface = graph.output(emission, "Emission")});
     scene->add_instance({.geometry = 0, .world_from_object = at, .materials = {0}});
     CameraFrame frame;
     frame.width_px = frame.height_px = 16;
@@ -172,7 +172,7 @@ TEST(Engine, scene_without_any_light_is_told)
     const auto under_the_sky = wall(2.0, 0.0f);
     NodeGraph sky;
     const std::size_t background = sky.add("BACKGROUND");
-    under_the_sky->set_world(sky, sky.output(background, "Background"));
+    under_the_sky->set_world(sky, {.surface = sky.output(background, "Background")});
     EXPECT_TRUE(told(under_the_sky).empty());
     const auto under_a_lamp = [&](float power) {
         const auto scene = wall(2.0, 0.0f);

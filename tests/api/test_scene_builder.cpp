@@ -78,7 +78,7 @@ TEST(SceneBuilder, layers_that_a_material_reads_have_one_number_each)
         const std::size_t emission = graph.add("EMISSION");
         graph.link(image, "Vector", graph.output(map, "UV"));
         graph.link(emission, "Color", graph.output(image, "Color"));
-        return scene.add_material(layer, graph, graph.output(emission, "Emission"));
+        return scene.add_material(layer, graph, {.surface = graph.output(emission, "Emission")});
     };
     const std::size_t first = textured("b");
     const std::size_t second = textured("a");
@@ -100,7 +100,7 @@ TEST(SceneBuilder, attributes_that_no_material_reads_have_no_number)
     const std::size_t emission = graph.add("EMISSION");
     graph.link(emission, "Color", graph.output(read, "Color"));
     const std::size_t number =
-        scene.add_material("m", graph, graph.output(emission, "Emission"), std::nullopt, 3);
+        scene.add_material("m", graph, {.surface = graph.output(emission, "Emission")}, 3);
     EXPECT_EQ(scene.attributes_read({number}), std::vector<std::string>{"wear"});
     EXPECT_EQ(scene.data().attribute_names, std::vector<std::string>{"wear"});
     EXPECT_EQ(scene.data().materials[number].pass_index, 3);
@@ -112,7 +112,7 @@ TEST(SceneBuilder, refuses_a_texture_that_does_not_exist)
     NodeGraph graph;
     const std::size_t image = graph.add("TEX_IMAGE", test::options_of({{"texture", 2.0}}));
     const std::optional<NodeOutput> surface = graph.output(image, "Color");
-    EXPECT_EQ(refusal([&] { scene.add_material("m", graph, surface); }),
+    EXPECT_EQ(refusal([&] { scene.add_material("m", graph, {.surface = surface}); }),
               "texture 2 does not exist; there are 0");
     EXPECT_TRUE(scene.data().materials.empty());
 }

@@ -149,7 +149,7 @@ class RecordingScene:
         self.materials: list[SimpleNamespace] = []
         self.lights: list[SimpleNamespace] = []
         self.textures: list[SimpleNamespace] = []
-        self.world = self.camera = None
+        self.world = self.world_volume = self.camera = None
         self._uv_layers = list(uv_layers)
         self._attributes = list(attributes)
 
@@ -190,12 +190,15 @@ class RecordingScene:
             )
         )
 
-    def add_material(self, name, surface=None, displacement=None, pass_index=0, aovs=()):
+    def add_material(
+        self, name, surface=None, displacement=None, volume=None, pass_index=0, aovs=()
+    ):
         self.materials.append(
             SimpleNamespace(
                 name=name,
                 surface=surface,
                 displacement=displacement,
+                volume=volume,
                 pass_index=pass_index,
                 aovs=aovs,
             )
@@ -217,8 +220,8 @@ class RecordingScene:
         self.textures.append(SimpleNamespace(path=None, name=name, pixels=pixels, **how))
         return len(self.textures) - 1
 
-    def set_world(self, surface, aovs=()):
-        self.world, self.world_aovs = surface, aovs
+    def set_world(self, surface, volume=None, aovs=()):
+        self.world, self.world_volume, self.world_aovs = surface, volume, aovs
 
     def set_world_light_group(self, name):
         self.world_light_group = name

@@ -29,6 +29,7 @@ def brightness_ratio(scene, render):
         cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0.0
         cycles.light_sampling_threshold = 0.0
         cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 4
+        cycles.volume_bounces = 4
         scene.camera.data.eye_render.model = "PINHOLE"
         means = {}
         for engine in ("EYE_RENDER", "CYCLES"):

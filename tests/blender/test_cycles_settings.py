@@ -40,7 +40,7 @@ def test_all_that_cycles_allows_is_allowed(scene):
     cycles = scene.cycles
     largest = {}
     for name in (
-        *("diffuse_bounces", "glossy_bounces", "transmission_bounces"),
+        *("diffuse_bounces", "glossy_bounces", "transmission_bounces", "volume_bounces"),
         *("transparent_max_bounces", "blur_glossy"),
         *("sample_clamp_direct", "sample_clamp_indirect"),
     ):

@@ -103,6 +103,16 @@ def test_an_unsupported_kind_of_object_is_named(scene, export):
     assert export().warnings == ["Volume 'Fog' is left out: this kind of object is not supported"]
 
 
+def test_smoke_is_named_and_its_box_left_out(export, scene):
+    domain = add_object(quad_mesh(), "Domain")
+    fluid = domain.modifiers.new("Fluid", "FLUID")
+    fluid.fluid_type = "DOMAIN"
+    exported = export()
+    assert exported.instances == []
+    (warning,) = exported.warnings
+    assert warning.startswith("Smoke of 'Domain' is left out")
+
+
 def test_matrices_keep_double_precision_and_column_vectors(scene, export):
     shown = add_object(cube_mesh())
     shown.location = (1.0, 2.0, 3.0)

@@ -118,16 +118,30 @@ def test_displacement_of_the_surface_itself_is_named(export):
     assert "bump" in warning
 
 
-def test_a_volume_is_named_and_what_holds_it_is_seen_through(export):
+def test_a_volume_goes_with_the_surface_or_alone(export):
     material = node_material("Fog")
-    scatter = add_node(material, "ShaderNodeVolumeScatter", name="Haze")
+    principled = add_node(material, "ShaderNodeVolumePrincipled")
+    principled.inputs["Blackbody Intensity"].default_value = 0.5
+    output = material.node_tree.get_output_node("CYCLES")
+    link(material, principled.outputs[0], output.inputs["Volume"])
+    exported = export(material)
+    assert exported.surface is None
+    assert exported.volume.node.kind == "PRINCIPLED_VOLUME"
+    assert exported.volume.node.inputs["Blackbody Intensity"] == 0.5
+    assert exported.warnings == []
+
+
+@pytest.mark.skipif(bpy.app.version < (4, 3, 0), reason="one phase function")
+def test_a_phase_function_that_the_core_lacks_is_named(export):
+    material = node_material("Sea")
+    scatter = add_node(material, "ShaderNodeVolumeScatter", name="Haze", phase="FOURNIER_FORAND")
     output = material.node_tree.get_output_node("CYCLES")
     link(material, scatter.outputs[0], output.inputs["Volume"])
     exported = export(material)
-    assert exported.surface.node.kind == "BSDF_TRANSPARENT"
+    assert exported.volume.node.options["phase"] == "HENYEY_GREENSTEIN"
     (warning,) = exported.warnings
-    assert "Fog" in warning
-    assert "Haze" in warning
+    assert "Sea" in warning
+    assert "Fournier" in warning
 
 
 def test_what_the_core_refuses_is_named_and_grey(table, export, monkeypatch):
@@ -135,10 +149,10 @@ def test_what_the_core_refuses_is_named_and_grey(table, export, monkeypatch):
     surface(material, "ShaderNodeBsdfGlass")
     add_material = table[1].add_material
 
-    def refuse_glass(name, surface=None, displacement=None, pass_index=0, aovs=()):
+    def refuse_glass(name, surface=None, displacement=None, volume=None, pass_index=0, aovs=()):
         if surface.node.kind == "BSDF_GLASS":
             raise ValueError("the graph runs in a circle")
-        return add_material(name, surface, displacement, pass_index)
+        return add_material(name, surface, displacement, volume, pass_index)
 
     monkeypatch.setattr(table[1], "add_material", refuse_glass)
     exported = export(material)

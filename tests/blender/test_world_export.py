@@ -69,14 +69,17 @@ def test_an_environment_texture_behind_a_mapping(export, world):
     assert exported.warnings == []
 
 
-def test_a_volume_is_named(export, world):
+def test_a_volume_fills_the_scene(export, world):
     surface(world, "ShaderNodeBackground")
     scatter = add_node(world, "ShaderNodeVolumeScatter", name="Haze")
+    scatter.inputs["Density"].default_value = 0.25
     output = world.node_tree.get_output_node("CYCLES")
     link(world, scatter.outputs[0], output.inputs["Volume"])
-    (warning,) = export().warnings
-    assert "Sky" in warning
-    assert "Haze" in warning
+    exported = export()
+    assert exported.world.node.kind == "BACKGROUND"
+    assert exported.world_volume.node.kind == "VOLUME_SCATTER"
+    assert exported.world_volume.node.inputs["Density"] == 0.25
+    assert exported.warnings == []
 
 
 def test_a_world_hides_from_kinds_of_rays(export, world):

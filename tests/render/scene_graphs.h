@@ -44,7 +44,7 @@ private:
                                    const NodeOutput& surface)
 {
     SceneNames names(data);
-    return make_material("m", graph, surface, std::nullopt, names);
+    return make_material("m", graph, {.surface = surface}, names);
 }
 
 inline int add_grey_picture(SceneData& data)

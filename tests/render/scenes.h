@@ -27,6 +27,15 @@ inline Material transparent(float share)
     return plain_material("BSDF_TRANSPARENT", {{"Color", V3f(share)}});
 }
 
+// No surface around a medium of that closure.
+inline Material filled(std::string_view closure,
+                       std::initializer_list<std::pair<std::string_view, NodeValue>> inputs)
+{
+    Material material = plain_material("BSDF_TRANSPARENT", {});
+    material.volume = plain_material(closure, inputs).surface;
+    return material;
+}
+
 inline Material emissive_diffuse(float albedo, float radiance)
 {
     return plain_material("BSDF_PRINCIPLED", {{"Base Color", V3f(albedo)},

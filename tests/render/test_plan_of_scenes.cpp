@@ -34,6 +34,7 @@ constexpr const char* no_images =
 constexpr const char* dark =
     "lights: 0 point, 0 sun, 0 spot, 0 area; emissive meshes: no; environment table: no\n";
 constexpr const char* opaque = "shadows: opaque\n";
+constexpr const char* no_volumes = "volumes: none\n";
 
 SceneData square_of(const Material& material)
 {
@@ -54,8 +55,9 @@ SceneData square_of(const std::function<NodeOutput(NodeGraph&)>& build)
 
 TEST(PlanOfScenes, nothing_needs_nothing)
 {
-    expect_said(plan_text({}), {"geometry: 0 triangles in 0 objects, 0 meshes instanced\n",
-                                no_images, dark, opaque, "lens: pinhole", "passes: Combined\n"});
+    expect_said(plan_text({}),
+                {"geometry: 0 triangles in 0 objects, 0 meshes instanced\n", no_images, dark,
+                 opaque, no_volumes, "lens: pinhole", "passes: Combined\n"});
 }
 
 TEST(PlanOfScenes, plain_principled_reads_and_emits_and_passes_nothing)
@@ -182,6 +184,19 @@ TEST(PlanOfScenes, passes_are_listed_in_their_order)
 {
     expect_said(plan_text({}, {Pass::Combined, Pass::Blur, Pass::Depth}),
                 {"passes: Combined Blur Depth\n"});
+}
+
+TEST(PlanOfScenes, volumes_are_counted_by_the_objects_that_they_fill)
+{
+    expect_said(plan_text(square_of(plain_material("BSDF_GLASS", {}))), {no_volumes});
+    SceneData data;
+    const Material mist = test::filled("VOLUME_SCATTER", {{"Density", V3f(1.0f)}});
+    test::place(data, test::cube(1.0f), V3d(0, 0, -5), mist);
+    test::place(data, test::cube(1.0f), V3d(0, 0, -9), mist);
+    expect_said(plan_text(data),
+                {"shadows: materials may pass light\n", "volumes: in 2 objects\n"});
+    data.world = mist;
+    expect_said(plan_text(data), {"volumes: in 2 objects and in the world\n"});
 }
 
 }  // namespace

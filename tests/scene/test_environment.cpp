@@ -33,7 +33,7 @@ public:
                const std::optional<SunDisc>& sun = std::nullopt)
     {
         test::AnyResources resources;
-        material_ = make_material("world", graph, surface, std::nullopt, resources);
+        material_ = make_material("world", graph, {.surface = surface}, resources);
         frame_.textures = &textures;
         environment = Environment(material_, frame_, sun);
     }

@@ -30,7 +30,7 @@ Material showing(std::string_view kind, std::string_view output)
     const std::size_t emission = graph.add("EMISSION");
     graph.link(emission, "Color", graph.output(graph.add(kind), output));
     AnyResources resources;
-    return make_material("nodes", graph, graph.output(emission, "Emission"), std::nullopt,
+    return make_material("nodes", graph, {.surface = graph.output(emission, "Emission")},
                          resources);
 }
 
@@ -179,7 +179,7 @@ TEST(LampNodes, lamps_are_chosen_by_what_their_nodes_make_of_them)
         graph.set(falloff, "Strength", V3f(strength));
         graph.link(emission, "Strength", graph.output(falloff, "Quadratic"));
         AnyResources resources;
-        return make_material("glow", graph, graph.output(emission, "Emission"), std::nullopt,
+        return make_material("glow", graph, {.surface = graph.output(emission, "Emission")},
                              resources);
     };
     data.lamps.push_back(lamp_at({1, 0, 2}, {.color = Color3f(1.0f)}, glow(1.0f)));

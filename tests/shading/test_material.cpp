@@ -154,8 +154,8 @@ TEST(Material, remembers_what_it_reads_of_the_scene_once_each)
     trial.link(principled, "Metallic", layer, "Fac");
     static_cast<void>(unread);
     Numbering resources;
-    const Material m = make_material("m", trial.graph, trial.graph.output(principled, "BSDF"),
-                                     std::nullopt, resources);
+    const Material m = make_material(
+        "m", trial.graph, {.surface = trial.graph.output(principled, "BSDF")}, resources);
     EXPECT_EQ(m.name, "m");
     EXPECT_EQ(m.uv_layers, (std::vector<int>{0, 2}));
     EXPECT_EQ(m.attributes, std::vector<int>{5});

@@ -163,6 +163,10 @@ def export_instances(
             seen = visibility_of(shown, placer, depsgraph.view_layer_eval)
             light_group = light_group_of(shown, placer, depsgraph.view_layer_eval)
             lights.add(shown, instance.matrix_world, seen.hidden_from, light_group)
+        elif _is_smoke(shown):
+            warn(
+                f"Smoke of '{shown.name}' is left out: it varies in space, which is not supported"
+            )
         elif shown.type in TYPES:
             address = shown.data.as_pointer()
             key = (shown.original.as_pointer(), address, placer.original.as_pointer())
@@ -240,3 +244,9 @@ def _as_array(matrices: list[Matrix]) -> np.ndarray:
     """(n, 4, 4); ten times as fast as `np.array`, which asks each matrix what it is."""
     numbers = (number for matrix in matrices for row in matrix for number in row)
     return np.fromiter(numbers, np.float64, 16 * len(matrices)).reshape(-1, 4, 4)
+
+
+def _is_smoke(shown: bpy.types.Object) -> bool:
+    """Whether the mesh is but the box of a simulation, which its material would fill evenly."""
+    domains = (m.domain_settings for m in shown.modifiers if m.type == "FLUID")
+    return any(domain is not None and domain.domain_type == "GAS" for domain in domains)

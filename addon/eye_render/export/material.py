@@ -7,7 +7,7 @@ import bpy
 
 from .. import compat, core
 from .image import ImageTable
-from .nodes import DIFFUSE, aov_sockets, export_sockets, linked_label
+from .nodes import DIFFUSE, aov_sockets, export_sockets
 from .object_properties import is_of_owner
 
 # Nodes by which one object looks other than the next with the same material.
@@ -16,9 +16,10 @@ _OBJECT_READERS = {"OBJECT_INFO"}
 _NAME_OF_NONE = "default_surface"
 
 
-class _Surface(NamedTuple):
-    surface: object | None  # sockets of one graph of the core; None is black
-    displacement: object | None
+class _Look(NamedTuple):
+    surface: object | None  # sockets of one graph of the core; None is black or, around a volume,
+    displacement: object | None  # clear
+    volume: object | None
     kinds: frozenset[str]
     left_out: list[str]
     aovs: Mapping[str, object] = {}  # sockets of the same graph
@@ -72,7 +73,12 @@ class MaterialTable:
         left_out = look.left_out
         try:
             number = self._core_scene.add_material(
-                name, look.surface, look.displacement, pass_index=index, aovs=look.aovs
+                name,
+                look.surface,
+                look.displacement,
+                look.volume,
+                pass_index=index,
+                aovs=look.aovs,
             )
         except ValueError as error:  # what the core sees only when all nodes are together
             left_out = [*left_out, str(error)]
@@ -91,31 +97,25 @@ class MaterialTable:
         return self._core_scene.add_material(_NAME_OF_NONE, diffuse["BSDF"])
 
 
-def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, str]) -> _Surface:
+def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, str]) -> _Look:
     if not compat.uses_nodes(material):
         return _plain(material)
     inlined = compat.inline_shader_nodes(material)
     output = inlined.node_tree.get_output_node("CYCLES")
     if output is None:
-        return _Surface(None, None, frozenset(), [])
-    sockets = (output.inputs["Surface"], output.inputs["Displacement"])
+        return _Look(None, None, None, frozenset(), [])
+    sockets = (output.inputs[name] for name in ("Surface", "Displacement", "Volume"))
     written = aov_sockets(inlined.node_tree, aovs)
     tree = export_sockets(sockets, images, DIFFUSE, written)
-    surface, displacement = tree.sockets
+    surface, displacement, volume = tree.sockets
     left_out = list(tree.left_out)
     if displacement is not None and compat.displacement_method(material) == "DISPLACEMENT":
         left_out.append("displacement of the surface itself (it is shown as bump)")
-    volume = linked_label(output.inputs["Volume"])
-    if volume:
-        left_out.append(f"{volume} (Volume)")
-        if surface is None:
-            surface = core.require().NodeGraph().add("BSDF_TRANSPARENT")["BSDF"]
-            displacement = None
-    return _Surface(surface, displacement, tree.kinds, left_out, tree.values)
+    return _Look(surface, displacement, volume, tree.kinds, left_out, tree.values)
 
 
-def _plain(material: bpy.types.Material) -> _Surface:
+def _plain(material: bpy.types.Material) -> _Look:
     """What Cycles makes of a material without nodes."""
     color = tuple(material.diffuse_color)[:3]
     diffuse = core.require().NodeGraph().add("BSDF_DIFFUSE", {"Color": color})
-    return _Surface(diffuse["BSDF"], None, frozenset(), [])
+    return _Look(diffuse["BSDF"], None, None, frozenset(), [])

@@ -9,6 +9,7 @@ _PROPERTIES = {
     "DIFFUSE": "visible_diffuse",
     "GLOSSY": "visible_glossy",
     "TRANSMISSION": "visible_transmission",
+    "VOLUME_SCATTER": "visible_volume_scatter",
     "SHADOW": "visible_shadow",
 }
 

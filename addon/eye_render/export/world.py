@@ -6,7 +6,7 @@ import bpy
 
 from .. import compat, passes
 from .image import ImageTable
-from .nodes import BACKGROUND, aov_sockets, export_sockets, linked_label
+from .nodes import BACKGROUND, aov_sockets, export_sockets
 
 _BLACK = (0.0, 0.0, 0.0)
 # The outputs of Light Path that are all one for a ray of the kind. A ray through glass is glossy,
@@ -16,6 +16,7 @@ _RAYS = {
     "diffuse": ["Is Diffuse Ray"],
     "glossy": ["Is Glossy Ray", "Is Reflection Ray"],
     "transmission": ["Is Transmission Ray"],
+    "scatter": ["Is Volume Scatter Ray"],
 }
 
 
@@ -40,19 +41,14 @@ def export_world(
     if output is None:
         core_scene.set_world(_BLACK)
         return
+    sockets = (output.inputs["Surface"], output.inputs["Volume"])
     written = aov_sockets(inlined.node_tree, passes.aovs(view_layer))
-    tree = export_sockets([output.inputs["Surface"]], images, BACKGROUND, written)
+    tree = export_sockets(sockets, images, BACKGROUND, written)
     left_out = list(tree.left_out)
-    volume = linked_label(output.inputs["Volume"])
-    if volume:
-        left_out.append(f"{volume} (Volume)")
-    (surface,) = tree.sockets
+    surface, volume = tree.sockets
+    light = _BLACK if surface is None else _seen_by_some(tree.graph, surface, world)
     try:
-        if surface is None:
-            core_scene.set_world(_BLACK)
-        else:
-            seen = _seen_by_some(tree.graph, surface, world)
-            core_scene.set_world(seen, aovs=tree.values)
+        core_scene.set_world(light, volume, aovs=tree.values)
     except ValueError as error:  # what the core sees only when all nodes are together
         left_out.append(str(error))
         core_scene.set_world(tuple(world.color))

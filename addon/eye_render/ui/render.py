@@ -38,6 +38,7 @@ class EYE_RENDER_PT_light_paths(RenderTab, Panel):
         kinds.prop(cycles, "diffuse_bounces", text="Diffuse")
         kinds.prop(cycles, "glossy_bounces", text="Glossy")
         kinds.prop(cycles, "transmission_bounces", text="Transmission")
+        kinds.prop(cycles, "volume_bounces", text="Volume")
         kinds.prop(cycles, "transparent_max_bounces", text="Transparent")
         clamping = self.layout.column(align=True)
         clamping.prop(cycles, "sample_clamp_direct", text="Clamp Direct Light")

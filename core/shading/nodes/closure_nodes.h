@@ -66,5 +66,9 @@ template <typename Node>
 [[nodiscard]] NodeType holdout_node();
 [[nodiscard]] NodeType hair_node();
 [[nodiscard]] NodeType principled_hair_node();
+[[nodiscard]] NodeType volume_absorption_node();
+[[nodiscard]] NodeType volume_scatter_node();
+[[nodiscard]] NodeType volume_coefficients_node();
+[[nodiscard]] NodeType principled_volume_node();
 
 }  // namespace eye_render

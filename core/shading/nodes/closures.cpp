@@ -1,4 +1,5 @@
-// The list of closures: Blender's surface shaders, under the identifiers of Blender 4.3.
+// The list of closures: Blender's shaders of surfaces and volumes, under the identifiers of
+// Blender 4.3.
 
 #include "shading/nodes/closure_nodes.h"
 #include "shading/nodes/node_tables.h"
@@ -42,6 +43,10 @@ std::span<const NodeType> closure_nodes()
         holdout_node(),
         hair_node(),
         principled_hair_node(),
+        volume_absorption_node(),
+        volume_scatter_node(),
+        volume_coefficients_node(),
+        principled_volume_node(),
     });
     return nodes;
 }

@@ -3,6 +3,7 @@
 
 #include "shading/input_range.h"
 #include "shading/nodes/closure_nodes.h"
+#include "shading/participating_medium.h"
 
 namespace eye_render {
 
@@ -24,6 +25,11 @@ public:
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
         shaded.emission += emission(in) * weight;
+    }
+
+    void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
+    {
+        medium.emission += emission(in) * weight;
     }
 
     [[nodiscard]] Color3f emission(const NodeInputs& in) const override

@@ -18,7 +18,7 @@ using enum SocketType;
 void light_path(const NodeInputs& in, std::span<NodeValue> out)
 {
     const PathState& path = in.hit().path;
-    const std::array<float, 13> values{static_cast<float>(path.is_camera),
+    const std::array<float, 14> values{static_cast<float>(path.is_camera),
                                        static_cast<float>(path.is_shadow),
                                        static_cast<float>(path.is_diffuse),
                                        static_cast<float>(path.is_glossy),
@@ -30,7 +30,8 @@ void light_path(const NodeInputs& in, std::span<NodeValue> out)
                                        static_cast<float>(path.diffuse_depth),
                                        static_cast<float>(path.glossy_depth),
                                        static_cast<float>(path.transparent_depth),
-                                       static_cast<float>(path.transmission_depth)};
+                                       static_cast<float>(path.transmission_depth),
+                                       static_cast<float>(path.is_volume_scatter)};
     for (std::size_t i = 0; i < values.size(); ++i) {
         out[i] = NodeValue(values[i]);
     }
@@ -109,7 +110,7 @@ constexpr std::array light_path_out{
     OutputSocket{"Is Transmission Ray", Number}, OutputSocket{"Ray Length", Number},
     OutputSocket{"Ray Depth", Number},           OutputSocket{"Diffuse Depth", Number},
     OutputSocket{"Glossy Depth", Number},        OutputSocket{"Transparent Depth", Number},
-    OutputSocket{"Transmission Depth", Number}};
+    OutputSocket{"Transmission Depth", Number},  OutputSocket{"Is Volume Scatter Ray", Number}};
 constexpr std::array object_info_out{
     OutputSocket{"Location", Vector},       OutputSocket{"Color", Color},
     OutputSocket{"Alpha", Number},          OutputSocket{"Object Index", Number},
@@ -131,7 +132,7 @@ std::span<const NodeType> input_nodes()
 {
     static const std::array nodes{
         value_node("LIGHT_PATH", Reads::Hit, {}, light_path_out, make_function_node<light_path>),
-        value_node("OBJECT_INFO", Reads::Hit, {}, object_info_out,
+        value_node("OBJECT_INFO", Reads::Object, {}, object_info_out,
                    make_function_node<object_info>),
         value_node("CAMERA", Reads::Hit, {}, camera_out, make_function_node<camera_data>),
         value_node("FRESNEL", Reads::Hit, fresnel_in, fac_out, make_function_node<fresnel>),

@@ -36,7 +36,7 @@ template <typename Node>
 }
 
 // What a node's outputs depend on besides its options.
-enum class Reads : std::uint8_t { InputsAlone, Hit };
+enum class Reads : std::uint8_t { InputsAlone, Object, Hit };
 
 [[nodiscard]] inline NodeType value_node(std::string_view name,
                                          Reads reads,
@@ -49,7 +49,8 @@ enum class Reads : std::uint8_t { InputsAlone, Hit };
             .inputs = inputs,
             .outputs = outputs,
             .options = options,
-            .reads_hit = reads == Reads::Hit,
+            .reads_hit = reads != Reads::InputsAlone,
+            .reads_object_alone = reads == Reads::Object,
             .make_value = make};
 }
 

@@ -3,7 +3,7 @@
 from .build import BACKGROUND, DIFFUSE, EMISSION
 from .derived import ATTRIBUTES as DERIVED_ATTRIBUTES
 from .named import OWNER_PREFIXES
-from .tree import aov_sockets, export_sockets, linked_label
+from .tree import aov_sockets, export_sockets
 
 __all__ = [
     "BACKGROUND",
@@ -13,5 +13,4 @@ __all__ = [
     "OWNER_PREFIXES",
     "aov_sockets",
     "export_sockets",
-    "linked_label",
 ]

@@ -61,9 +61,3 @@ def _value_of(reader: TreeReader, socket: bpy.types.NodeSocket) -> Output:
     if isinstance(item.value, tuple):
         return Node("RGB", "RGB", {"value": list(item.value)}).output("Color", "RGBA")
     return Node("VALUE", "Value", {"value": item.value}).output("Value", "VALUE")
-
-
-def linked_label(socket: bpy.types.NodeSocket) -> str | None:
-    """The name, for a warning, of the node that feeds the socket; None if nothing does."""
-    source = TreeReader().read(socket).source
-    return source.node.label if source else None

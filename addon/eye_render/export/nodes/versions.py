@@ -114,6 +114,13 @@ ROWS = (
     Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
     Row("BSDF_HAIR_PRINCIPLED", convert=mix_lobes, note=LOBES),
+    Row(
+        "VOLUME_SCATTER",
+        with_option=("phase", "FOURNIER_FORAND"),
+        set_options={"phase": "HENYEY_GREENSTEIN"},
+        set_inputs={"Anisotropy": 0.9},
+        note="Fournier and Forand's phase function (Henyey and Greenstein's stands in) of",
+    ),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
     _walk("SUBSURFACE_SCATTERING", "falloff", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
@@ -124,7 +131,7 @@ ROWS = (
         set_options={"sky_type": "SINGLE_SCATTERING"},
         note="light scattered more than once in",
     ),
-    Row("LIGHT_PATH", set_outputs={"Is Volume Scatter Ray": 0.0, "Portal Depth": 0.0}),
+    Row("LIGHT_PATH", set_outputs={"Portal Depth": 0.0}),
     Row("NORMAL_MAP", with_option=("convention", "DIRECTX"), convert=flip_green),
 )
 

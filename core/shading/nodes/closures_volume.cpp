@@ -1,0 +1,235 @@
+// Closures of volumes, their coefficients as Cycles derives them from colour and density.
+
+#include "shading/droplets.h"
+#include "shading/functions/spectral_colors.h"
+#include "shading/input_range.h"
+#include "shading/nodes/closure_nodes.h"
+#include "shading/participating_medium.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace eye_render {
+
+namespace {
+
+// Has no surface: neither scatters nor shines where one is asked for.
+class VolumeNode : public ClosureNode {
+public:
+    [[nodiscard]] ClosureFacts facts(ConstantInputs /*constants*/) const override { return {}; }
+
+    void shade(const NodeInputs& /*in*/, float /*weight*/, ShadedPoint& /*shaded*/) const override
+    {
+    }
+};
+
+// What `color` leaves of white.
+[[nodiscard]] Color3f complement(const Color3f& color)
+{
+    return positive_range(Color3f(1.0f) - color);
+}
+
+[[nodiscard]] float anisotropy_range(float g)
+{
+    return in_range(g, -largest_anisotropy, largest_anisotropy);
+}
+
+class VolumeAbsorptionNode : public VolumeNode {
+public:
+    enum Input : std::size_t { Color, Density };
+
+    explicit VolumeAbsorptionNode(const NodeOptions& /*options*/) {}
+
+    void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
+    {
+        medium.extinction +=
+            complement(in.color(Color)) * positive_range(in.number(Density)) * weight;
+    }
+};
+
+enum class PhaseKind { HenyeyGreenstein, Rayleigh, Draine, Mie };
+
+[[nodiscard]] PhaseKind phase_kind(const NodeOptions& options)
+{
+    return options.choice<PhaseKind>("phase", {{"HENYEY_GREENSTEIN", PhaseKind::HenyeyGreenstein},
+                                               {"RAYLEIGH", PhaseKind::Rayleigh},
+                                               {"DRAINE", PhaseKind::Draine},
+                                               {"MIE", PhaseKind::Mie}});
+}
+
+// The inputs behind a phase function, which lie together.
+struct PhaseInputs {
+    std::size_t anisotropy;
+    std::size_t alpha;
+    std::size_t diameter_um;
+};
+
+void add_scattering(const NodeInputs& in,
+                    PhaseKind kind,
+                    const PhaseInputs& inputs,
+                    const Color3f& scattering,
+                    ParticipatingMedium& medium)
+{
+    switch (kind) {
+    case PhaseKind::HenyeyGreenstein:
+        medium.scatter({scattering, {.g = anisotropy_range(in.number(inputs.anisotropy))}});
+        break;
+    case PhaseKind::Rayleigh: medium.scatter({scattering, {.alpha = 1.0f}}); break;
+    case PhaseKind::Draine:
+        medium.scatter({scattering,
+                        {.g = anisotropy_range(in.number(inputs.anisotropy)),
+                         .alpha = positive_range(in.number(inputs.alpha))}});
+        break;
+    case PhaseKind::Mie: {
+        const DropletScattering droplets = scattering_of_droplets(in.number(inputs.diameter_um));
+        medium.scatter({scattering * (1.0f - droplets.wide_share), droplets.narrow});
+        medium.scatter({scattering * droplets.wide_share, droplets.wide});
+        break;
+    }
+    }
+    medium.extinction += scattering;
+}
+
+class VolumeScatterNode : public VolumeNode {
+public:
+    enum Input : std::size_t { Color, Density, Anisotropy, Alpha, Diameter };
+
+    explicit VolumeScatterNode(const NodeOptions& options) : phase_(phase_kind(options)) {}
+
+    void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
+    {
+        add_scattering(
+            in, phase_, {Anisotropy, Alpha, Diameter},
+            positive_range(in.color(Color)) * positive_range(in.number(Density)) * weight, medium);
+    }
+
+private:
+    PhaseKind phase_;
+};
+
+class VolumeCoefficientsNode : public VolumeNode {
+public:
+    enum Input : std::size_t { Absorption, Scatter, Anisotropy, Alpha, Diameter, Emission };
+
+    explicit VolumeCoefficientsNode(const NodeOptions& options) : phase_(phase_kind(options)) {}
+
+    [[nodiscard]] ClosureFacts facts(ConstantInputs constants) const override
+    {
+        return {.may_emit = !is_constantly_zero(constants, Emission)};
+    }
+
+    void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
+    {
+        add_scattering(in, phase_, {Anisotropy, Alpha, Diameter},
+                       positive_range(in.color(Scatter)) * weight, medium);
+        medium.extinction += positive_range(in.color(Absorption)) * weight;
+        medium.emission += positive_range(in.color(Emission)) * weight;
+    }
+
+private:
+    PhaseKind phase_;
+};
+
+class PrincipledVolumeNode : public VolumeNode {
+public:
+    enum Input : std::size_t {
+        Color,
+        Density,
+        Anisotropy,
+        AbsorptionColor,
+        EmissionStrength,
+        EmissionColor,
+        BlackbodyIntensity,
+        BlackbodyTint,
+        Temperature,
+    };
+
+    explicit PrincipledVolumeNode(const NodeOptions& /*options*/) {}
+
+    [[nodiscard]] ClosureFacts facts(ConstantInputs constants) const override
+    {
+        return {.may_emit = !is_constantly_zero(constants, EmissionStrength) ||
+                            !is_constantly_zero(constants, BlackbodyIntensity)};
+    }
+
+    void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
+    {
+        const float density = positive_range(in.number(Density)) * weight;
+        if (density > 0.0f) {
+            const Color3f color = positive_range(in.color(Color));
+            const Color3f tint = positive_range(in.color(AbsorptionColor));
+            const Color3f root(std::sqrt(tint.x), std::sqrt(tint.y), std::sqrt(tint.z));
+            medium.scatter({color * density, {.g = anisotropy_range(in.number(Anisotropy))}});
+            medium.extinction += (color + complement(color) * complement(root)) * density;
+        }
+        const float strength = positive_range(in.number(EmissionStrength));
+        if (strength > 0.0f) {
+            medium.emission += positive_range(in.color(EmissionColor)) * (strength * weight);
+        }
+        const float heat = positive_range(in.number(BlackbodyIntensity));
+        if (heat > 0.0f) {
+            medium.emission += glow(in.number(Temperature), heat) *
+                               positive_range(in.color(BlackbodyTint)) * weight;
+        }
+    }
+
+private:
+    // Radiance of a black body by Stefan and Boltzmann's law, in Cycles' unit of 1 MW/m^2; `heat`
+    // leads there from a radiance of one such unit.
+    [[nodiscard]] static Color3f glow(float temperature_k, float heat)
+    {
+        constexpr float stefan_boltzmann = 5.670373e-8f;
+        constexpr float unit_w = 1e6f;
+        const float t2 = positive_range(temperature_k) * positive_range(temperature_k);
+        const float power = 1.0f + (t2 * t2 - 1.0f) * heat;
+        return rgb_of_blackbody(temperature_k) *
+               (stefan_boltzmann / unit_w * std::numbers::inv_pi_v<float> * power);
+    }
+};
+
+constexpr auto volume_output = std::to_array<OutputSocket>({{"Volume", SocketType::Shader}});
+constexpr auto phase_options = std::to_array<std::string_view>({"phase"});
+
+}  // namespace
+
+NodeType volume_absorption_node()
+{
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 0.8f), number_input("Density", 1.0f)});
+    return closure_type<VolumeAbsorptionNode>("VOLUME_ABSORPTION", inputs, volume_output);
+}
+
+NodeType volume_scatter_node()
+{
+    static constexpr auto inputs =
+        std::to_array<InputSocket>({color_input("Color", 0.8f), number_input("Density", 1.0f),
+                                    number_input("Anisotropy", 0.0f), number_input("Alpha", 0.5f),
+                                    number_input("Diameter", 20.0f)});
+    return closure_type<VolumeScatterNode>("VOLUME_SCATTER", inputs, volume_output, phase_options);
+}
+
+NodeType volume_coefficients_node()
+{
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {{"Absorption Coefficients", SocketType::Vector, NodeValue(1.0f)},
+         {"Scatter Coefficients", SocketType::Vector, NodeValue(1.0f)},
+         number_input("Anisotropy", 0.0f),
+         number_input("Alpha", 0.5f),
+         number_input("Diameter", 20.0f),
+         {"Emission Coefficients", SocketType::Vector, NodeValue(0.0f)}});
+    return closure_type<VolumeCoefficientsNode>("VOLUME_COEFFICIENTS", inputs, volume_output,
+                                                phase_options);
+}
+
+NodeType principled_volume_node()
+{
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {color_input("Color", 0.5f), number_input("Density", 1.0f),
+         number_input("Anisotropy", 0.0f), color_input("Absorption Color", 0.0f),
+         number_input("Emission Strength", 0.0f), color_input("Emission Color", 1.0f),
+         number_input("Blackbody Intensity", 0.0f), color_input("Blackbody Tint", 1.0f),
+         number_input("Temperature", 1000.0f)});
+    return closure_type<PrincipledVolumeNode>("PRINCIPLED_VOLUME", inputs, volume_output);
+}
+
+}  // namespace eye_render

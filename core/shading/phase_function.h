@@ -1,0 +1,30 @@
+// How a medium scatters: Draine's phase function of the angle between the directions of travel
+// before and after (Draine 2003, "Scattering by Interstellar Dust Grains. I", eq. 9). Without
+// `alpha` it is Henyey and Greenstein's (1941), with g = 0 and alpha = 1 Rayleigh's.
+//
+// The cosine is 1 where light goes straight on. Probabilities are per unit solid angle.
+
+#pragma once
+
+#include "base/vector.h"
+
+namespace eye_render {
+
+struct PhaseFunction {
+    float g = 0.0f;  // anisotropy, within +-largest_anisotropy
+    float alpha = 0.0f;
+
+    bool operator==(const PhaseFunction&) const = default;
+};
+
+inline constexpr float largest_anisotropy = 0.999f;
+
+// The share of light per unit solid angle: integrates to 1 over the sphere.
+[[nodiscard]] float phase_value(const PhaseFunction& phase, float cosine);
+
+// Draws a direction of travel for light that came along `direction`, u in [0, 1)^2. The density is
+// that of Henyey and Greenstein's factor, so that value over density is at most 1 + alpha.
+[[nodiscard]] V3f sample_phase(const PhaseFunction& phase, const V3f& direction, const V2f& u);
+[[nodiscard]] float phase_pdf(const PhaseFunction& phase, float cosine);
+
+}  // namespace eye_render
