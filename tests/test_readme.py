@@ -15,6 +15,7 @@ BLENDER = os.environ.get("BLENDER", "blender")
 # What takes minutes, opens a window or runs these tests: only looked up in `run help`.
 DEAR = {
     "demo",
+    "large",
     "test",
     "blender",
     "package",

@@ -34,7 +34,8 @@ constexpr float rounding = 4e-5f;
 void expect_rows(const Json& reference, const PathState& path)
 {
     const MadeUpHit hit = placed_hit();
-    NodeTrial trial(*node_type_named(reference["node"].get<std::string>()), options_of(reference["options"]));
+    NodeTrial trial(*node_type_named(reference["node"].get<std::string>()),
+                    options_of(reference["options"]));
     for (const auto& [output, rows] : reference["outputs"].items()) {
         for (std::size_t row = 0; row < rows.size(); ++row) {
             for (const auto& [input, channel] : reference["inputs"].items()) {
