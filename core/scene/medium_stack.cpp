@@ -1,6 +1,7 @@
 #include "scene/medium_stack.h"
 
 #include <algorithm>
+#include <span>
 
 namespace eye_render {
 
@@ -10,16 +11,16 @@ void MediumStack::cross(const SurfaceHit& hit)
     if (entry.medium == nullptr) {
         return;
     }
-    const auto end = inside_.begin() + static_cast<std::ptrdiff_t>(count_);
-    const auto found = std::find(inside_.begin(), end, entry);
+    const std::span<Inside> inside(inside_.data(), count_);
+    const auto found = std::ranges::find(inside, entry);
     if (hit.point.backfacing) {
-        if (found == end) {
+        if (found == inside.end()) {
             return;
         }
-        std::move(found + 1, end, found);
+        std::move(found + 1, inside.end(), found);
         --count_;
     } else {
-        if (found != end || count_ == capacity) {
+        if (found != inside.end() || count_ == capacity) {
             return;
         }
         inside_[count_++] = entry;

@@ -235,7 +235,7 @@ def absent_texture() -> None:
             r"distribution is WARD; expected one of",
         ),
         (circle, r"the links of node 0 \(MIX_SHADER\) run in a circle"),
-        (two_graphs, r"surface and displacement of material 'm' are of two graphs"),
+        (two_graphs, r"the outputs of material 'm' are of two graphs"),
         (link_across, r"input 'Color' is linked to another graph"),
         (absent_texture, r"texture 3 does not exist; there are 0"),
     ],
