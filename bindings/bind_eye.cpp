@@ -147,15 +147,15 @@ void bind_eye(py::module_& m)
              "the line's\n"
              "own direction, counter-clockwise from +X as the patient sees it.")
         .def_property_readonly(
-            "far_point_m", [](const EyeModel& eye) { return far_point_m(eye); },
+            "far_point_m", [](const EyeModel& model) { return far_point_m(model); },
             "Distance of the smallest RMS spot on the axis at 555 nm, as in clear_ranges; "
             "infinite\n"
             "for an emmetrope, negative behind the eye of a hyperope.")
         .def_property_readonly("max_accommodation_d", &EyeModel::max_accommodation_d,
                                "The most that the model has, whatever the age allows.")
         .def("__repr__", &eye_text)
-        .def_property_readonly("retinal_conjugate_d", [](const EyeModel& eye) {
-            const PowerMatrix k = eye.retinal_conjugate_d();
+        .def_property_readonly("retinal_conjugate_d", [](const EyeModel& model) {
+            const PowerMatrix k = model.retinal_conjugate_d();
             return py::make_tuple(py::make_tuple(k.xx_d, k.xy_d), py::make_tuple(k.xy_d, k.yy_d));
         });
 

@@ -43,7 +43,7 @@ LampTree::LampTree(std::span<const Lamp> lamps, std::span<const std::uint32_t> w
 void LampTree::add(std::span<const Lamp> lamps, std::uint32_t first, std::uint32_t count)
 {
     const std::size_t number = nodes_.size();
-    nodes_.push_back({.first = first});
+    nodes_.push_back({.box = {}, .first = first});
     Imath::Box3f box;
     Imath::Box3f centers;
     const std::span<std::uint32_t> members(&members_[first], count);

@@ -17,7 +17,7 @@ public:
     explicit MediumStack(const ParticipatingMedium* world)
         : world_(world), in_medium_(world != nullptr)
     {
-        if (in_medium_) {
+        if (world != nullptr) {
             mixture_ = *world;
         }
     }

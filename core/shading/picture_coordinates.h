@@ -14,9 +14,8 @@ namespace eye_render {
 // The whole sphere by longitude and latitude; the centre is along +X.
 [[nodiscard]] inline V2f uv_equirectangular(const V3f& d)
 {
-    constexpr float pi = std::numbers::pi_v<float>;
-    return {0.5f - std::atan2(d.y, d.x) / (2.0f * pi),
-            0.5f + std::atan2(d.z, std::hypot(d.x, d.y)) / pi};
+    return {0.5f - std::atan2(d.y, d.x) * (0.5f * std::numbers::inv_pi_v<float>),
+            0.5f + std::atan2(d.z, std::hypot(d.x, d.y)) * std::numbers::inv_pi_v<float>};
 }
 
 // A photograph of a mirroring ball; `d` is unit.
@@ -30,24 +29,26 @@ namespace eye_render {
 // Around a sphere and a tube in the box from 0 to 1.
 [[nodiscard]] inline V2f uv_on_sphere(const V3f& p)
 {
-    constexpr float pi = std::numbers::pi_v<float>;
     const V3f d = (p - V3f(0.5f)) * 2.0f;
     const float length = d.length();
     if (!(length > 0.0f)) {
         return V2f(0.0f);
     }
-    const float u = d.x == 0.0f && d.y == 0.0f ? 0.0f : 0.5f * (1.0f - std::atan2(d.x, d.y) / pi);
-    return {u, 1.0f - std::acos(std::clamp(d.z / length, -1.0f, 1.0f)) / pi};
+    const float u = d.x == 0.0f && d.y == 0.0f
+                        ? 0.0f
+                        : 0.5f * (1.0f - std::atan2(d.x, d.y) * std::numbers::inv_pi_v<float>);
+    return {u, 1.0f - std::acos(std::clamp(d.z / length, -1.0f, 1.0f)) *
+                          std::numbers::inv_pi_v<float>};
 }
 
 [[nodiscard]] inline V2f uv_on_tube(const V3f& p)
 {
-    constexpr float pi = std::numbers::pi_v<float>;
     const V3f d = (p - V3f(0.5f)) * 2.0f;
     if (!(std::hypot(d.x, d.y) > 0.0f)) {
         return V2f(0.0f);
     }
-    return {0.5f * (1.0f - std::atan2(d.x, d.y) / pi), 0.5f * (d.z + 1.0f)};
+    return {0.5f * (1.0f - std::atan2(d.x, d.y) * std::numbers::inv_pi_v<float>),
+            0.5f * (d.z + 1.0f)};
 }
 
 // On the side of a box that looks along axis `side`, or against it: nothing is mirrored.

@@ -2,5 +2,5 @@
 builds a feature takes its scenes from here, and `run compare` says which can go."""
 
 NOT_YET: dict[str, tuple[float, str]] = {
-    "shaders/subsurface": (0.08, "the random walk is a little darker than Cycles'"),
+    "shaders/subsurface": (0.08, "light that enters comes out where it entered: shown as diffuse reflection"),
 }
