@@ -37,7 +37,7 @@ class TradeoffEngine(bpy.types.RenderEngine):
 
     def render(self, depsgraph):
         scene = depsgraph.scene_eval
-        core_scene = export_scene(depsgraph, print, lambda: None)
+        core_scene, _ = export_scene(depsgraph, print, lambda: None)
         set_camera(core_scene, self, depsgraph, scene.camera, frame_of(scene.render))
         pictures = self.job["pictures"]
         # Fills the texture cache and wakes the threads.
