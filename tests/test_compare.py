@@ -24,9 +24,10 @@ SAMPLES = 48  # per pixel; a quick picture is told from its noise by blocks of p
 # What a quick picture's noise, not quite that of Cycles, may add to a figure of FLIP.
 QUICK_MARGIN = 0.01
 SEED = 7
-# Few pixels of these differ, at edges, but much: FLIP, which is a mean, is below its threshold.
+# Few pixels of these differ, at edges and in highlights, but much: FLIP, which is a mean, is below
+# its threshold.
 SHARP = {"bends/custom_normals", "converters/map_range", "converters/mix_color",
-         "coordinates/camera"}  # fmt: skip
+         "coordinates/camera", "film/clamp_direct", "passes/diffuse_direct"}  # fmt: skip
 SHARP_FACTOR = 2.0
 # Clamped light, and light divided by colour: what few samples give is not what many do, in the
 # mean. These are rendered with samples of their own.
