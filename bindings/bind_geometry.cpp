@@ -67,6 +67,7 @@ std::vector<std::vector<SizedPoint>> motion_from(const std::vector<Array<float>>
                                                  const Array<float>& radii)
 {
     std::vector<std::vector<SizedPoint>> motion;
+    motion.reserve(positions.size());
     for (const Array<float>& step : positions) {
         motion.push_back(sized_points(step, radii));
     }
