@@ -100,7 +100,7 @@ public:
     [[nodiscard]] const PathRadiance& seen() const { return seen_; }
 
 private:
-    void add(const Color3f& contribution,
+    void add(const Color3f& light,
              const LightOrigin& origin,
              int bounces,
              const ScatterShares& first);
