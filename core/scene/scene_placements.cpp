@@ -102,7 +102,7 @@ private:
         }
     }
 
-    [[nodiscard]] V3f in_the_world(const V3f& p) const { return V3f(V3d(p) * world_from_object_); }
+    [[nodiscard]] V3f in_the_world(const V3f& p) const { return {V3d(p) * world_from_object_}; }
     [[nodiscard]] SizedPoint in_the_world(const SizedPoint& point) const
     {
         return {in_the_world(point.center), point.radius * scale_};
