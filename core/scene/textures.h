@@ -37,7 +37,7 @@ public:
     // an index that was never given out, or uv that is not finite, gives magenta.
     [[nodiscard]] Color4f lookup(int texture,
                                  const V2f& uv,
-                                 TextureAlpha alpha = TextureAlpha::Straight) const;
+                                 TextureAlpha use = TextureAlpha::Straight) const;
 
     // Pixels; 1 of an image that cannot be read.
     [[nodiscard]] int width(int texture) const;

@@ -72,7 +72,7 @@ Made make_displacement(const NodeOptions& options, NodeResources& /*resources*/)
 Made make_vector_displacement(const NodeOptions& options, NodeResources& resources)
 {
     using Space = VectorDisplacementNode::Space;
-    const Space space = options.choice<Space>(
+    const auto space = options.choice<Space>(
         "space",
         {{"TANGENT", Space::Tangent}, {"OBJECT", Space::Object}, {"WORLD", Space::World}});
     return std::make_unique<VectorDisplacementNode>(
