@@ -103,11 +103,11 @@ private:
 Made make_normal_map(const NodeOptions& options, NodeResources& resources)
 {
     using Space = NormalMapNode::Space;
-    const Space space = options.choice<Space>("space", {{"TANGENT", Space::Tangent},
-                                                        {"OBJECT", Space::Object},
-                                                        {"WORLD", Space::World},
-                                                        {"BLENDER_OBJECT", Space::BlenderObject},
-                                                        {"BLENDER_WORLD", Space::BlenderWorld}});
+    const auto space = options.choice<Space>("space", {{"TANGENT", Space::Tangent},
+                                                       {"OBJECT", Space::Object},
+                                                       {"WORLD", Space::World},
+                                                       {"BLENDER_OBJECT", Space::BlenderObject},
+                                                       {"BLENDER_WORLD", Space::BlenderWorld}});
     return std::make_unique<NormalMapNode>(
         space, space == Space::Tangent ? TangentSource(options.text("uv_map", ""), resources)
                                        : TangentSource());
