@@ -66,10 +66,10 @@ TEST(Session, border_shows_the_same_pixels_as_the_full_frame)
     RenderJob part = job_for(scene, 50);
     part.frame.border = {13, 29, 41, 50};
     const auto window = render(part, {0, 4}, 2);
-    for (int y = 0; y < 21; ++y) {
-        for (int x = 0; x < 28; ++x) {
-            const auto at_window = static_cast<std::size_t>(4 * (28 * y + x));
-            const auto at_full = static_cast<std::size_t>(4 * (50 * (y + 29) + x + 13));
+    for (std::size_t y = 0; y < 21; ++y) {
+        for (std::size_t x = 0; x < 28; ++x) {
+            const std::size_t at_window = 4 * (28 * y + x);
+            const std::size_t at_full = 4 * (50 * (y + 29) + x + 13);
             ASSERT_EQ(window[at_window], full[at_full]) << x << ", " << y;
         }
     }
