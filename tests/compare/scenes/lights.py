@@ -198,15 +198,19 @@ def uv_of_point():
     painted_by_uv(shown)
 
 
-@feature(bounces=1)
-def uv_of_area():
-    """What a mirror shows of an oblong area lamp with a pattern by its UV"""
+def mirroring_ball() -> None:
     camera()
     floor()
     world(DIM)
     tree = new_tree()
     tree.surface("BsdfAnisotropic", {"Color": (0.9, 0.9, 0.9), "Roughness": 0.0})
     add(dressed(ball_mesh(), tree.datablock), BALL_CENTRE)
+
+
+@feature(bounces=1)
+def uv_of_area():
+    """What a mirror shows of an oblong area lamp with a pattern by its UV"""
+    mirroring_ball()
     shown = lamp("AREA", 30.0, (-1.8, -2.0, 2.2), BALL_CENTRE, shape="RECTANGLE")
     shown.data.size, shown.data.size_y = 3.0, 2.0
     shown.rotation_euler.rotate_axis("Z", 0.4)
@@ -284,12 +288,7 @@ def two_suns():
 @feature(bounces=1)
 def in_a_mirror():
     """What a mirror shows of lamps: an area lamp, a point and a sun"""
-    camera()
-    floor()
-    world(DIM)
-    tree = new_tree()
-    tree.surface("BsdfAnisotropic", {"Color": (0.9, 0.9, 0.9), "Roughness": 0.0})
-    add(dressed(ball_mesh(), tree.datablock), BALL_CENTRE)
+    mirroring_ball()
     lamp("AREA", 40.0, (-1.8, -2.0, 2.6), BALL_CENTRE, shape="SQUARE", size=1.0)
     lamp("POINT", 60.0, (1.5, -2.0, 2.2), shadow_soft_size=0.3)
     lamp("SUN", 1.0, (0.0, -1.0, 3.0), angle=0.3)
