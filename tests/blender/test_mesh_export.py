@@ -24,6 +24,18 @@ def test_faces_become_triangles_over_shared_vertices(scene, depsgraph_of):
     assert np.isclose(np.linalg.norm(normals, axis=1).sum() / 2, 24.0)
 
 
+def test_faces_that_are_triangles_stay_as_they_are(scene, depsgraph_of):
+    mesh = bpy.data.meshes.new("Triangles")
+    mesh.from_pydata([(x, y, x * y) for x in (0, 1, 2) for y in (0, 1)], [],
+                     [(4, 2, 0), (1, 3, 5), (0, 1, 3)])  # fmt: skip
+    mesh.materials.append(bpy.data.materials.new("First"))
+    mesh.materials.append(bpy.data.materials.new("Second"))
+    mesh.polygons[1].material_index = 1
+    result = exported(mesh, depsgraph_of)
+    assert result.triangles.tolist() == [[4, 2, 0], [1, 3, 5], [0, 1, 3]]
+    assert result.material_slots.tolist() == [0, 1, 0]
+
+
 def test_a_flat_mesh_has_no_normals(scene, depsgraph_of):
     assert exported(cube_mesh(), depsgraph_of).normals is None
 

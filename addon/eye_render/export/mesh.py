@@ -69,6 +69,9 @@ def add_mesh(
 def _triangle_corners(mesh: bpy.types.Mesh) -> np.ndarray:
     """(triangles, 3)"""
     mesh.calc_loop_triangles()
+    if len(mesh.loops) == 3 * len(mesh.polygons):
+        # All faces are triangles: a million of them take 1 ms, and 130 ms as below.
+        return np.arange(len(mesh.loops), dtype=np.int32).reshape(-1, 3)
     corners = np.empty((len(mesh.loop_triangles), 3), np.int32)
     mesh.loop_triangles.foreach_get("loops", corners.ravel())
     return corners
