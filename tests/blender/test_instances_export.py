@@ -275,3 +275,33 @@ def test_the_view_layer_is_asked_before_the_scene(scene, properties_of):
     name = ".eye_render.view_layer."
     (found,) = properties_of(name + "fog", name + "tone")
     assert (found[name + "fog"][0], found[name + "tone"][0]) == (0.25, 0.75)
+
+
+def test_particles_tell_what_places_an_instance(scene, properties_of):
+    cube = add_object(cube_mesh())
+    emitter = add_object(cube_mesh())
+    emitter.modifiers.new("Particles", "PARTICLE_SYSTEM")
+    settings = emitter.particle_systems[0].settings
+    settings.count, settings.frame_start, settings.frame_end = 2, 1, 1
+    settings.lifetime, settings.physics_type = 30, "NEWTON"
+    settings.normal_factor, settings.effector_weights.gravity = 2.0, 0.0
+    settings.render_type, settings.instance_object = "OBJECT", cube
+    settings.particle_size = 0.25
+    for frame in (1, 2, 3):
+        scene.frame_set(frame)
+    name = ".eye_render.particle."
+    outputs = ("Index", "Random", "Age", "Lifetime", "Size", "Location", "Velocity")
+    found = properties_of(*(name + output for output in outputs))
+    rows = [[item[name + output] for output in outputs] for item in found]
+    # Neither the cube itself nor the emitter is placed by a particle; number 0 is hashed, too.
+    nobody = [row for row in rows if row[3][0] == 0.0]
+    assert len(nobody) == 2
+    born = sorted((row for row in rows if row[3][0] == 30.0), key=lambda row: row[0])
+    assert [row[0][0] for row in born] == [0.0, 1.0]
+    assert nobody[0][1] == born[0][1] != born[1][1]
+    particles = emitter.evaluated_get(bpy.context.evaluated_depsgraph_get()).particle_systems[0]
+    for row, particle in zip(born, particles.particles, strict=True):
+        assert row[2][0] == pytest.approx(3.0 - particle.birth_time)
+        assert row[4][0] == pytest.approx(0.25)
+        assert row[5][:3] == pytest.approx(list(particle.location))
+        assert np.linalg.norm(row[6][:3]) == pytest.approx(2.0, rel=0.01)

@@ -1,5 +1,5 @@
-"""Properties that Attribute nodes read by name of an object, of what instances it or of the view
-layer: custom ones, else Blender's own."""
+"""Properties of an object, of what instances it or of the view layer that Attribute nodes read by
+name: custom ones, else Blender's own. And those of the particle that places it."""
 
 from collections.abc import Iterable
 
@@ -7,11 +7,12 @@ import bpy
 import numpy as np
 
 from .. import compat
-from .nodes import OWNER_PREFIXES
+from .nodes import OWNER_PREFIXES, PARTICLE_PREFIX
+from .particles import particle_value
 
 
 def is_of_owner(attribute: str) -> bool:
-    return attribute.startswith(tuple(OWNER_PREFIXES.values()))
+    return attribute.startswith((PARTICLE_PREFIX, *OWNER_PREFIXES.values()))
 
 
 class PropertyReader:
@@ -20,10 +21,14 @@ class PropertyReader:
     def __init__(self, depsgraph: bpy.types.Depsgraph):
         scene, layer = depsgraph.scene_eval, depsgraph.view_layer_eval
         self._of_layer = [layer, scene, compat.world_of(scene, layer)]
+        self._frame = scene.frame_current_final
 
     def value(
         self, instance: bpy.types.DepsgraphObjectInstance, attribute: str
     ) -> tuple[float, ...]:
+        if attribute.startswith(PARTICLE_PREFIX):
+            output = attribute.removeprefix(PARTICLE_PREFIX)
+            return _rgba(particle_value(instance, output, self._frame)) or _NOTHING
         owner, prefix = next(
             item for item in OWNER_PREFIXES.items() if attribute.startswith(item[1])
         )
@@ -36,13 +41,16 @@ class PropertyReader:
         return _find(owners, name)
 
 
+_NOTHING = (0.0,) * 4
+
+
 def _find(owners: Iterable[object], name: str) -> tuple[float, ...]:
     """What the first owner that has the property says; zeros if none has."""
     for owner in owners:
         value = None if owner is None else _rgba(_look_up(owner, name))
         if value is not None:
             return value
-    return (0.0,) * 4
+    return _NOTHING
 
 
 def _look_up(owner: object, name: str) -> object | None:

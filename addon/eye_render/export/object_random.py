@@ -9,6 +9,11 @@ _LARGEST_BELOW_ONE = 1.0 - 2.0**-24
 def random_of(instance: bpy.types.DepsgraphObjectInstance) -> float:
     """From 0 to below 1: of an instance Blender's own number, of an object a hash of its name."""
     number = instance.random_id if instance.is_instance else _hash_name(instance.object.name)
+    return fraction_of(number)
+
+
+def fraction_of(number: int) -> float:
+    """The 32 bits as a number from 0 to below 1."""
     return min((number & _MASK) / _MASK, _LARGEST_BELOW_ONE)
 
 

@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 from features import feature
 from scenes.geometry import geometry_nodes
-from stage import BALL_CENTRE, add, ball_mesh, cube_mesh, diffuse, dressed, outdoors
+from stage import BALL_CENTRE, add, ball_mesh, cube_mesh, diffuse, dressed, outdoors, shows
+from tree import Tree, out
 
 PAINT = (0.6, 0.45, 0.3)
 
@@ -27,17 +28,36 @@ def by_geometry_nodes():
     geometry_nodes(shown, build)
 
 
-@feature()
-def by_particles():
-    """Cubes where particles are born"""
+def strewn(material: bpy.types.Material) -> None:
+    """Cubes of that material where particles are born."""
     outdoors()
-    cube = add(dressed(cube_mesh(1.0), diffuse(PAINT)), (0, 0, -5))
+    cube = add(dressed(cube_mesh(1.0), material), (0, 0, -5))
     shown = add(dressed(ball_mesh(), diffuse((0.2, 0.3, 0.5))), BALL_CENTRE)
     shown.modifiers.new("Particles", "PARTICLE_SYSTEM")
     settings = shown.particle_systems[0].settings
     settings.type, settings.count, settings.hair_length = "HAIR", 40, 1.0
     settings.render_type, settings.instance_object = "OBJECT", cube
     settings.particle_size = 0.15
+
+
+@feature()
+def by_particles():
+    """Cubes where particles are born"""
+    strewn(diffuse(PAINT))
+
+
+@feature()
+def particle_info():
+    """Cubes painted by which particle they are and where it was born"""
+
+    def paint(tree: Tree):
+        info = tree.node("ParticleInfo")
+        random = tree.vector_math("MULTIPLY", out(info, "Random"), (0.6, 0.0, 0.2))
+        index = tree.vector_math("MULTIPLY", out(info, "Index"), (0.0, 0.02, 0.0))
+        place = tree.vector_math("MULTIPLY", out(info, "Location"), (0.0, 0.0, 0.4))
+        return tree.vector_math("ADD", tree.vector_math("ADD", random, index), place)
+
+    strewn(shows(paint))
 
 
 @feature()

@@ -2,7 +2,7 @@
 
 from .build import BACKGROUND, DIFFUSE, EMISSION
 from .derived import ATTRIBUTES as DERIVED_ATTRIBUTES
-from .named import OWNER_PREFIXES
+from .named import OWNER_PREFIXES, PARTICLE_PREFIX
 from .tree import aov_sockets, export_sockets
 
 __all__ = [
@@ -11,6 +11,7 @@ __all__ = [
     "DIFFUSE",
     "EMISSION",
     "OWNER_PREFIXES",
+    "PARTICLE_PREFIX",
     "aov_sockets",
     "export_sockets",
 ]

@@ -12,7 +12,7 @@ from .derived import read_derived_attributes
 from .flat import Input, Node
 from .hair import LOBES, mix_lobes
 from .musgrave import musgrave_to_noise
-from .named import OWNER_PREFIXES, name_owner
+from .named import OWNER_PREFIXES, name_owner, name_particle
 from .normals import flip_green
 from .occlusion import note_global_distance
 from .principled import (
@@ -111,6 +111,7 @@ ROWS = (
         Row("ATTRIBUTE", with_option=("attribute_type", owner), convert=name_owner)
         for owner in OWNER_PREFIXES
     ),
+    Row("PARTICLE_INFO", convert=name_particle),
     Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
     Row("BSDF_HAIR_PRINCIPLED", convert=mix_lobes, note=LOBES),
