@@ -15,6 +15,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT / "tests/compare"))
 import references  # noqa: E402
 from blender_batch import BLENDER, Rendered, render_features  # noqa: E402
+from compare_files import noise_of_means  # noqa: E402
 from measure import FLIP_OF_BLOCK_RMSE, excess_rmse, measure  # noqa: E402
 from page import EXPECTED, FAILED, PASSED, png  # noqa: E402
 from picture import as_seen  # noqa: E402
@@ -102,6 +103,15 @@ def test_noise_alone_is_no_excess():
     reference, picture = noisy(0.5, 0.01), noisy(0.5, one_sample / np.sqrt(256))
     # Three channels are as noisy as their luminance here, so nothing is left but its own error.
     assert excess_rmse(reference, sigma, samples, picture, 256) < 0.003
+
+
+def test_files_are_allowed_the_noise_of_their_means():
+    """So an engine that is much noisier than Cycles fails."""
+    cycles, ours, noisier = ([noisy(0.4, sigma) for _ in range(2)] for sigma in (0.1, 0.1, 0.4))
+    allowed_noise = noise_of_means(*cycles)
+    mean = np.mean(cycles, axis=0)
+    assert measure(mean, np.mean(ours, axis=0)).figure() == pytest.approx(allowed_noise, rel=0.15)
+    assert measure(mean, np.mean(noisier, axis=0)).figure() > 1.5 * allowed_noise
 
 
 def test_a_darker_half_is_excess():
