@@ -77,9 +77,9 @@ def compare_file(path: Path, options: argparse.Namespace, folder: Path) -> Row:
 
 
 def noise_of_means(first: np.ndarray, second: np.ndarray) -> float:
-    """The figure that noise alone gives means of two pictures, if ours are as noisy as these two of
-    Cycles; more noise of ours is our fault. Such means are nearer to each other than these two by
-    the square root of two, of whose power 0.7 FLIP is made (Andersson et al. 2020)."""
+    """The figure that noise alone gives means of two pictures, if ours are as noisy as these two
+    of Cycles; more noise of ours is our fault. Such means are nearer to each other than these two
+    by the square root of two, of whose power 0.7 FLIP is made (Andersson et al. 2020)."""
     return measure(first, second).figure() * math.sqrt(0.5) ** 0.7
 
 
