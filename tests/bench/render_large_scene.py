@@ -14,7 +14,7 @@ from pathlib import Path
 
 import bpy
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "compare"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
 from engines import SET_UP  # noqa: E402
 
 SIZE_PX = 64

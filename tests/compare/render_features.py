@@ -18,7 +18,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).parents[1] / "tools")]
 from compositing import show_pass  # noqa: E402
 from engines import SET_UP  # noqa: E402
 from features import Feature, matching  # noqa: E402

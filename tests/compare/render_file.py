@@ -13,7 +13,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).parents[1] / "tools")]
 from engines import SET_UP, forget_what_differs  # noqa: E402
 from rendering import choose_exr, render, warnings_of_eye_render  # noqa: E402
 
