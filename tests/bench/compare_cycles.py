@@ -14,7 +14,7 @@ from image_difference import compare
 
 HERE = Path(__file__).resolve().parent
 BUILD = Path(os.environ.get("EYE_BUILD_DIR", HERE.parents[1] / "build"))
-ENGINES = ("cycles", "eye_render")
+ENGINES = ("CYCLES", "EYE_RENDER")
 SEEDS = (1, 2)
 
 
@@ -46,7 +46,7 @@ def compare_engines(scene: Path, blur: bool, arguments: argparse.Namespace) -> d
     for seed in SEEDS:
         # Turn about, so that what else the machine does hits both.
         for engine in ENGINES if seed % 2 else ENGINES[::-1]:
-            name = f"{scene.stem}_{'blur' if blur else 'sharp'}_{engine}_{seed}.exr"
+            name = f"{scene.stem}_{'blur' if blur else 'sharp'}_{engine.lower()}_{seed}.exr"
             job = {
                 "engine": engine,
                 "blur": blur,

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import bpy
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
-from engines import SET_UP  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.engines import SET_UP  # noqa: E402
 
 SIZE_PX = 64
 

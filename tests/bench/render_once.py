@@ -7,36 +7,14 @@ JSON: {"engine", "blur", "samples", "bounces", "size", "seed", "exr"}
 
 import json
 import sys
+from pathlib import Path
 
 import bpy
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.engines import SET_UP, filter_as_usual, keep_all_light  # noqa: E402
+
 PUPIL_MM, FOCUS_M = 4.0, 0.5
-
-
-def set_up_both(scene, bounces: int) -> None:
-    """What both engines read: nothing is clamped or filtered."""
-    cycles = scene.cycles
-    cycles.diffuse_bounces = cycles.glossy_bounces = bounces
-    cycles.transmission_bounces = cycles.transparent_max_bounces = bounces
-    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0.0
-    cycles.caustics_reflective = cycles.caustics_refractive = True
-    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
-
-
-def set_up_cycles(scene, samples: int, bounces: int, seed: int) -> None:
-    """Plain path tracing: nothing denoised, adapted or left to a threshold."""
-    scene.render.engine = "CYCLES"
-    cycles = scene.cycles
-    cycles.device, cycles.samples, cycles.seed = "CPU", samples, seed
-    cycles.use_adaptive_sampling = cycles.use_denoising = False
-    cycles.max_bounces, cycles.light_sampling_threshold = bounces, 0.0
-
-
-def set_up_eye_render(scene, samples: int, bounces: int, seed: int) -> None:
-    scene.render.engine = "EYE_RENDER"
-    settings = scene.eye_render
-    settings.quality, settings.samples = "CUSTOM", samples
-    settings.max_bounces, settings.seed = bounces, seed
 
 
 def set_up_lens(camera, engine: str, blur: bool) -> None:
@@ -44,7 +22,7 @@ def set_up_lens(camera, engine: str, blur: bool) -> None:
     lens = camera.dof
     lens.use_dof, lens.focus_distance = blur, FOCUS_M
     lens.aperture_fstop = camera.lens / PUPIL_MM
-    if engine == "eye_render":
+    if engine == "EYE_RENDER":
         observer = camera.eye_render
         observer.model = "PARAXIAL" if blur else "PINHOLE"
         observer.pupil_mode, observer.pupil_mm = "MANUAL", PUPIL_MM
@@ -53,9 +31,9 @@ def set_up_lens(camera, engine: str, blur: bool) -> None:
 
 def main(job: dict) -> None:
     scene = bpy.context.scene
-    set_up = {"cycles": set_up_cycles, "eye_render": set_up_eye_render}[job["engine"]]
-    set_up_both(scene, job["bounces"])
-    set_up(scene, job["samples"], job["bounces"], job["seed"])
+    keep_all_light(scene)
+    filter_as_usual(scene)
+    SET_UP[job["engine"]](scene, job["samples"], job["bounces"], job["seed"])
     set_up_lens(scene.camera.data, job["engine"], job["blur"])
     scene.render.resolution_x = scene.render.resolution_y = job["size"]
     image = scene.render.image_settings

@@ -13,6 +13,7 @@ import pytest
 
 arguments = sys.argv[sys.argv.index("--") + 1 :] if "--" in sys.argv else []
 folder = Path(__file__).parent
+sys.path.append(str(folder.parent))  # for `tools`
 status = pytest.main(
     ["-q", "-p", "no:cacheprovider", f"--rootdir={folder}", *(arguments or [str(folder)])]
 )

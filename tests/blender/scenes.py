@@ -33,14 +33,6 @@ def quad_mesh(name: str = "Quad", size: float = 1.0) -> bpy.types.Mesh:
     return mesh
 
 
-def cube_mesh(name: str = "Cube") -> bpy.types.Mesh:
-    mesh = bpy.data.meshes.new(name)
-    corners = [(x, y, z) for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)]
-    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    mesh.from_pydata(corners, [], faces)
-    return mesh
-
-
 def node_material(name: str = "Material") -> bpy.types.Material:
     """A material with only an output node; link to it with `surface`."""
     material = bpy.data.materials.new(name)

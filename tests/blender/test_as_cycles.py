@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from mathutils import Matrix
 from scenes import add_node, add_object, node_material, quad_mesh, surface
+from tools.engines import SET_UP, keep_all_light
 
 LAMP_TOLERANCE = 0.003
 MATERIAL_TOLERANCE = 0.005
@@ -21,19 +22,10 @@ def brightness_ratio(scene, render):
 
     def run(samples: int = 256) -> float:
         scene.render.resolution_x = scene.render.resolution_y = 16
-        scene.eye_render.samples = scene.cycles.samples = samples
-        scene.eye_render.max_bounces = scene.cycles.max_bounces = 4
-        cycles = scene.cycles
-        cycles.device = "CPU"
-        cycles.use_adaptive_sampling = cycles.use_denoising = False
-        cycles.sample_clamp_direct = cycles.sample_clamp_indirect = cycles.blur_glossy = 0.0
-        cycles.light_sampling_threshold = 0.0
-        cycles.diffuse_bounces = cycles.glossy_bounces = cycles.transmission_bounces = 4
-        cycles.volume_bounces = 4
-        scene.camera.data.eye_render.model = "PINHOLE"
+        keep_all_light(scene)
         means = {}
-        for engine in ("EYE_RENDER", "CYCLES"):
-            scene.render.engine = engine
+        for engine, set_up in SET_UP.items():
+            set_up(scene, samples)
             means[engine] = float(render()[..., :3].mean(dtype=np.float64))
         assert means["CYCLES"] > 1e-4, "a black picture compares nothing"
         return means["EYE_RENDER"] / means["CYCLES"]

@@ -2,7 +2,8 @@ import bpy
 import numpy as np
 import pytest
 from eye_render.export.derived_attributes import island_randoms, pointiness
-from scenes import cube_mesh, quad_mesh
+from scenes import quad_mesh
+from tools.meshes import cube_mesh
 
 
 @pytest.fixture(autouse=True)

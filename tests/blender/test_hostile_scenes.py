@@ -8,13 +8,13 @@ from mathutils import Matrix
 from scenes import (
     add_node,
     add_object,
-    cube_mesh,
     emitter,
     link,
     node_material,
     quad_mesh,
     surface,
 )
+from tools.meshes import cube_mesh
 
 GREEN = (0.0, 1.0, 0.0)
 FLOAT_MAX = float(np.finfo(np.float32).max)

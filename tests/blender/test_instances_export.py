@@ -10,12 +10,12 @@ from scenes import (
     RecordingScene,
     add_node,
     add_object,
-    cube_mesh,
     link,
     node_material,
     quad_mesh,
     surface,
 )
+from tools.meshes import cube_mesh
 
 
 def places(core_scene: RecordingScene) -> list[tuple[float, ...]]:
@@ -55,7 +55,7 @@ def test_collection_instances_are_matrices(scene, export):
 
 
 def test_faces_instance_their_children_and_the_instancer_hides(scene, export):
-    parent = add_object(cube_mesh("Parent"))
+    parent = add_object(cube_mesh(name="Parent"))
     child = add_object(quad_mesh("Child", size=0.1))
     child.parent = parent
     parent.instance_type = "FACES"

@@ -2,7 +2,8 @@ import bpy
 import numpy as np
 import pytest
 from eye_render.export.mesh import add_mesh
-from scenes import RecordingScene, add_object, cube_mesh, quad_mesh
+from scenes import RecordingScene, add_object, quad_mesh
+from tools.meshes import cube_mesh
 
 
 def exported(mesh: bpy.types.Mesh, depsgraph_of, core_scene: RecordingScene | None = None):

@@ -10,7 +10,9 @@ import bpy
 import numpy as np
 import pytest
 from mathutils import Euler
-from scenes import add_group_socket, add_node, add_object, cube_mesh, link, node_material, surface
+from scenes import add_group_socket, add_node, add_object, link, node_material, surface
+from tools.engines import SET_UP
+from tools.meshes import cube_mesh
 
 # Of the mean difference: edges of a pattern fall otherwise within a pixel.
 TOLERANCE = 0.01
@@ -23,13 +25,9 @@ def difference(scene, render):
 
     def run() -> float:
         scene.render.resolution_x = scene.render.resolution_y = RESOLUTION
-        scene.eye_render.samples = scene.cycles.samples = 128
-        scene.cycles.device = "CPU"
-        scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
-        scene.camera.data.eye_render.model = "PINHOLE"
         pictures = {}
-        for engine in ("EYE_RENDER", "CYCLES"):
-            scene.render.engine = engine
+        for engine, set_up in SET_UP.items():
+            set_up(scene, samples=128)
             pictures[engine] = render()[..., :3].astype(np.float64)
         assert pictures["CYCLES"].std() > 0.01, "a picture of one colour compares nothing"
         return float(np.abs(pictures["EYE_RENDER"] - pictures["CYCLES"]).mean())
@@ -43,9 +41,6 @@ def shown(scene) -> bpy.types.Object:
     cube = add_object(cube_mesh(), "Shown")
     cube.location = (0.2, 0.1, -5.0)
     cube.rotation_euler = (0.7, 0.5, 0.2)
-    layer = cube.data.uv_layers.new(name="UVMap")
-    corners = [(0, 0), (1, 0), (1, 1), (0, 1)] * 6
-    layer.data.foreach_set("uv", np.array(corners, np.float32).ravel())
     return cube
 
 

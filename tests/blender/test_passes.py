@@ -11,7 +11,6 @@ import pytest
 from eye_render import core, passes
 from scenes import (
     add_object,
-    cube_mesh,
     emitter,
     layer_pixels,
     node_material,
@@ -19,6 +18,7 @@ from scenes import (
     surface,
     write_multilayer,
 )
+from tools.meshes import cube_mesh
 
 BLENDER_S_SWITCHES = [
     *("use_pass_z", "use_pass_mist", "use_pass_position", "use_pass_normal", "use_pass_uv"),

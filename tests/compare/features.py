@@ -52,7 +52,7 @@ def feature(name: str = "", about: str = "", **expected):
 def all_features() -> list[Feature]:
     """Every scene, family by family in the order of its file."""
     if not _features:
-        sys.path.insert(0, str(HERE))
+        sys.path[:0] = [str(HERE), str(HERE.parent)]
         for path in sorted((HERE / "scenes").glob("*.py")):
             importlib.import_module(f"scenes.{path.stem}")
     return _features

@@ -18,11 +18,12 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).parents[1] / "tools")]
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 from compositing import show_pass  # noqa: E402
-from engines import SET_UP  # noqa: E402
 from features import Feature, matching  # noqa: E402
 from rendering import choose_exr, render, warnings_of_eye_render  # noqa: E402
+from tools.engines import SET_UP, filter_as_usual, keep_all_light  # noqa: E402
 
 SIZE_PX = 64
 
@@ -45,10 +46,8 @@ class PeakMemory:
 def prepare(scene: bpy.types.Scene) -> None:
     scene.render.resolution_x = scene.render.resolution_y = SIZE_PX
     scene.render.resolution_percentage = 100
-    cycles = scene.cycles
-    cycles.sample_clamp_direct = cycles.sample_clamp_indirect = 0.0
-    cycles.caustics_reflective = cycles.caustics_refractive = True
-    cycles.pixel_filter_type, cycles.filter_width = "BLACKMAN_HARRIS", 1.5
+    keep_all_light(scene)
+    filter_as_usual(scene)
     choose_exr(scene)
 
 

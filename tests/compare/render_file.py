@@ -13,9 +13,10 @@ from pathlib import Path
 import bpy
 import numpy as np
 
-sys.path[:0] = [str(Path(__file__).resolve().parent), str(Path(__file__).parents[1] / "tools")]
-from engines import SET_UP, forget_what_differs  # noqa: E402
+HERE = Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE), str(HERE.parent)]
 from rendering import choose_exr, render, warnings_of_eye_render  # noqa: E402
+from tools.engines import SET_UP, keep_all_light  # noqa: E402
 
 
 def main(job: dict) -> None:
@@ -23,7 +24,10 @@ def main(job: dict) -> None:
     folder = Path(job["folder"])
     if scene.camera is None:
         raise SystemExit("The file has no camera")
-    forget_what_differs(scene)
+    keep_all_light(scene)
+    # The eye's pinhole has no depth of field, and what moves is told apart by scenes of its own.
+    scene.camera.data.dof.use_dof = False
+    scene.render.use_motion_blur = False
     settings = scene.render
     longer = max(settings.resolution_x, settings.resolution_y)
     settings.resolution_x = round(settings.resolution_x * job["size"] / longer)

@@ -130,17 +130,6 @@ def ball_mesh(radius: float = BALL_RADIUS, segments: int = 64, rings: int = 32) 
     return mesh
 
 
-def cube_mesh(size: float = 1.0, name: str = "Cube") -> bpy.types.Mesh:
-    half = size / 2
-    corners = [(x, y, z) for x in (-half, half) for y in (-half, half) for z in (-half, half)]
-    faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
-    mesh = bpy.data.meshes.new(name)
-    mesh.from_pydata(corners, [], faces)
-    uvs = [(0, 0), (1, 0), (1, 1), (0, 1)] * 6
-    mesh.uv_layers.new(name="UVMap").data.foreach_set("uv", np.array(uvs, np.float32).ravel())
-    return mesh
-
-
 def dressed(mesh: bpy.types.ID, *materials: bpy.types.Material) -> bpy.types.ID:
     for material in materials:
         mesh.materials.append(material)

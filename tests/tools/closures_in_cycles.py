@@ -21,6 +21,9 @@ import numpy as np
 from bpy_extras.object_utils import world_to_camera_view
 from mathutils import Vector
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+from engines import keep_all_light, look_at_middles, set_up_cycles  # noqa: E402
+
 VIEWS_DEG = (15, 60, 75)
 SUNS_DEG = ((20, 150), (50, 60), (65, 170), (140, 200))
 COLUMNS, PIXELS_A_TILE, SUN_SAMPLES, WORLD_SAMPLES = 8, 32, 16, 1024
@@ -225,12 +228,8 @@ def look_along(thing: bpy.types.Object, towards: Vector) -> None:
 
 
 def set_up(scene: bpy.types.Scene) -> None:
-    scene.render.engine = "CYCLES"
-    cycles = scene.cycles
-    cycles.device, cycles.use_adaptive_sampling, cycles.use_denoising = "CPU", False, False
-    cycles.sample_clamp_indirect = cycles.blur_glossy = cycles.light_sampling_threshold = 0.0
-    cycles.caustics_reflective = cycles.caustics_refractive = True
-    cycles.pixel_filter_type, cycles.filter_width = "BOX", 0.01
+    keep_all_light(scene)
+    look_at_middles(scene)
     scene.render.resolution_x = (COLUMNS + 1) * PIXELS_A_TILE
     scene.render.resolution_y = (len(CASES) // COLUMNS + 2) * PIXELS_A_TILE
     scene.render.image_settings.file_format = "OPEN_EXR"
@@ -292,7 +291,7 @@ def main() -> None:
             sun.hide_render = light is None
             shade = 1.0 if light is None else 0.0
             background.inputs["Color"].default_value = (shade, shade, shade, 1.0)
-            scene.cycles.samples = WORLD_SAMPLES if light is None else SUN_SAMPLES
+            set_up_cycles(scene, WORLD_SAMPLES if light is None else SUN_SAMPLES)
             if light:
                 look_along(sun, -direction(*light))
             bpy.context.view_layer.update()

@@ -91,13 +91,11 @@ def make_camera(bpy) -> None:
 
 
 def set_up_render(bpy) -> None:
+    from engines import look_at_middles, set_up_cycles
+
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 1
-    scene.cycles.use_adaptive_sampling = False
-    scene.cycles.use_denoising = False
-    scene.cycles.pixel_filter_type = "BLACKMAN_HARRIS"
-    scene.cycles.filter_width = 0.01
+    set_up_cycles(scene, samples=1)
+    look_at_middles(scene)
     scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
     scene.render.image_settings.color_depth = "32"
     scene.render.image_settings.exr_codec = "ZIP"

@@ -135,6 +135,7 @@ def make_body(bpy, name: str, matrix, is_smooth: bool) -> dict:
 
 
 def make_stage(bpy) -> dict:
+    from engines import look_at_middles, set_up_cycles
     from mathutils import Euler, Matrix
 
     holder = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))
@@ -145,12 +146,8 @@ def make_stage(bpy) -> dict:
     scene.camera = holder
     scene.render.resolution_x, scene.render.resolution_y = COLUMNS, LINES
     scene.render.resolution_percentage = 100
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 1
-    scene.cycles.use_adaptive_sampling = False
-    scene.cycles.use_denoising = False
-    scene.cycles.pixel_filter_type = "BLACKMAN_HARRIS"
-    scene.cycles.filter_width = 0.01
+    set_up_cycles(scene, samples=1)
+    look_at_middles(scene)
     scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
     scene.render.image_settings.color_depth = "32"
     scene.use_nodes = False

@@ -16,6 +16,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+
 AROUND = (24, 16)
 CLOSE = (8, 8)
 
@@ -70,13 +72,12 @@ def views() -> Iterator[View]:
 
 
 def set_up(bpy):
+    from engines import look_at_middles, set_up_cycles
+
     bpy.ops.wm.read_factory_settings(use_empty=True)
     scene = bpy.context.scene
-    scene.render.engine = "CYCLES"
-    scene.cycles.samples = 1
-    scene.cycles.use_adaptive_sampling = False
-    scene.cycles.use_denoising = False
-    scene.cycles.filter_width = 0.01
+    set_up_cycles(scene, samples=1)
+    look_at_middles(scene)
     scene.render.image_settings.file_format = "OPEN_EXR"
     scene.render.image_settings.color_depth = "32"
     scene.camera = bpy.data.objects.new("camera", bpy.data.cameras.new("camera"))

@@ -10,12 +10,12 @@ from stage import (
     at,
     ball,
     ball_mesh,
-    cube_mesh,
     diffuse,
     dressed,
     new_tree,
     outdoors,
 )
+from tools.meshes import cube_mesh
 from tree import Tree, out
 
 PAINT = (0.6, 0.6, 0.5)

@@ -13,7 +13,6 @@ from stage import (
     ball,
     ball_mesh,
     camera,
-    cube_mesh,
     diffuse,
     dressed,
     floor,
@@ -22,6 +21,7 @@ from stage import (
     shader,
     world,
 )
+from tools.meshes import cube_mesh
 
 PAINT = (0.6, 0.45, 0.3)
 

@@ -12,13 +12,13 @@ from stage import (
     add,
     ball_mesh,
     camera,
-    cube_mesh,
     dressed,
     shows,
     tiles,
     wall,
     world,
 )
+from tools.meshes import cube_mesh
 from tree import Tree, out
 
 SIZE = 8

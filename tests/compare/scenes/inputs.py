@@ -12,7 +12,6 @@ from stage import (
     add,
     ball_mesh,
     camera,
-    cube_mesh,
     diffuse,
     dressed,
     floor,
@@ -25,6 +24,7 @@ from stage import (
     wall,
     world,
 )
+from tools.meshes import cube_mesh
 from tree import Tree, out
 
 

@@ -4,7 +4,8 @@ import bpy
 import numpy as np
 from features import feature
 from scenes.geometry import geometry_nodes
-from stage import BALL_CENTRE, add, ball_mesh, cube_mesh, diffuse, dressed, outdoors, shows
+from stage import BALL_CENTRE, add, ball_mesh, diffuse, dressed, outdoors, shows
+from tools.meshes import cube_mesh
 from tree import Tree, out
 
 PAINT = (0.6, 0.45, 0.3)

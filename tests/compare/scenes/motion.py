@@ -7,11 +7,11 @@ from features import feature
 from stage import (
     add,
     ball,
-    cube_mesh,
     diffuse,
     dressed,
     outdoors,
 )
+from tools.meshes import cube_mesh
 
 PAINT = (0.6, 0.45, 0.3)
 

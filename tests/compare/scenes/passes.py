@@ -6,7 +6,6 @@ from stage import (
     add,
     ball_mesh,
     camera,
-    cube_mesh,
     diffuse,
     dressed,
     floor,
@@ -15,6 +14,7 @@ from stage import (
     sun,
     world,
 )
+from tools.meshes import cube_mesh
 
 
 def still_life() -> None:

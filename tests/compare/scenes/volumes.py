@@ -1,7 +1,8 @@
 """Volumes within a mesh: homogeneous ones, and the mean of others."""
 
 from features import feature
-from stage import BALL_CENTRE, add, ball_mesh, cube_mesh, dressed, lamp, new_tree, outdoors
+from stage import BALL_CENTRE, add, ball_mesh, dressed, lamp, new_tree, outdoors
+from tools.meshes import cube_mesh
 from tree import Tree, out
 
 
