@@ -1,9 +1,9 @@
 """The feature scenes are as near to Cycles as each of them must be, in a quick form; and what
 `run compare` says follows from the pictures."""
 
+import math
 import os
 import struct
-import subprocess
 import sys
 import zlib
 from pathlib import Path
@@ -12,24 +12,19 @@ import numpy as np
 import pytest
 
 ROOT = Path(__file__).resolve().parents[1]
-sys.path.insert(0, str(ROOT / "tests/compare"))
+sys.path[:0] = [str(ROOT / "tests/compare"), str(ROOT / "tests")]
+import deviations  # noqa: E402
 import references  # noqa: E402
-from blender_batch import BLENDER, Rendered, render_features  # noqa: E402
+from blender_batch import Rendered, blender_version, render_features  # noqa: E402
 from compare_files import noise_of_means  # noqa: E402
-from measure import FLIP_OF_BLOCK_RMSE, excess_rmse, measure  # noqa: E402
+from measure import Difference, excess_rmse, measure  # noqa: E402
 from page import EXPECTED, FAILED, PASSED, png  # noqa: E402
 from picture import as_seen  # noqa: E402
-from verdict import THRESHOLD, allowed, row_of  # noqa: E402
+from tools.display import LUMINANCE  # noqa: E402
+from verdict import difference_of, row_of  # noqa: E402
 
 SAMPLES = 48  # per pixel; a quick picture is told from its noise by blocks of pixels
-# What a quick picture's noise, not quite that of Cycles, may add to a figure of FLIP.
-QUICK_MARGIN = 0.01
 SEED = 7
-# Few pixels of these differ, at edges and in highlights, but much: FLIP, which is a mean, is below
-# its threshold.
-SHARP = {"bends/custom_normals", "converters/map_range", "converters/mix_color",
-         "coordinates/camera", "film/clamp_direct", "passes/diffuse_direct"}  # fmt: skip
-SHARP_FACTOR = 2.0
 # Clamped light, and light divided by colour: what few samples give is not what many do, in the
 # mean. These are rendered with samples of their own.
 OWN_SAMPLES = ["film/clamp_direct", "passes/diffuse_direct", "passes/diffuse_indirect",
@@ -59,8 +54,7 @@ def quick(tmp_path_factory) -> dict[str, Rendered]:
 
 @pytest.fixture(scope="session")
 def version() -> tuple[int, ...]:
-    ran = subprocess.run([BLENDER, "--version"], capture_output=True, text=True)
-    return tuple(int(part) for part in ran.stdout.split()[1].split(".")[:2])
+    return blender_version()
 
 
 @pytest.mark.parametrize("stem", STORED)
@@ -69,23 +63,29 @@ def test_scene_is_as_near_to_cycles_as_it_must_be(quick, version, stem):
     if name not in quick:
         pytest.skip("this Blender does not have the feature")
     rendered = quick[name]
-    threshold, reason = allowed(rendered.facts, version)
-    if rendered.error:
-        pytest.xfail(reason) if threshold >= 1 else pytest.fail(rendered.error)
-    reference = references.load(references.path_of(name))
+    assert rendered.error == ""
     picture = as_seen(rendered.pictures[0], rendered.facts["view"])
-    assert picture.shape == reference.mean.shape
     samples = rendered.facts["samples"] if name in OWN_SAMPLES else SAMPLES
-    excess = excess_rmse(reference.mean, reference.sigma, reference.samples, picture, samples)
-    # Of large differences FLIP makes less than of small ones.
-    factor = FLIP_OF_BLOCK_RMSE if threshold <= THRESHOLD else 1.0
-    if name in SHARP:
-        factor = SHARP_FACTOR
-    assert factor * excess <= threshold + QUICK_MARGIN, rendered.warnings
+    found = difference_of(references.load(references.path_of(name)), picture, samples)
+    found.flip = math.nan  # of few samples it is noise
+    expected = deviations.expected_of(rendered.facts, version)
+    assert expected.is_near(found), f"{found} for {expected}; {rendered.warnings}"
 
 
-def test_every_scene_has_a_reference(quick):
-    assert {name.replace("/", ".") for name in quick} <= set(STORED)
+def test_what_an_eye_cannot_see_is_refused(quick):
+    refused = {name: found for name, found in quick.items() if found.facts["refused"]}
+    assert refused and all(found.facts["refused"] in found.error for found in refused.values())
+
+
+def test_every_scene_that_is_rendered_has_a_reference(quick):
+    shown = {name for name, rendered in quick.items() if not rendered.facts["refused"]}
+    assert {name.replace("/", ".") for name in shown} <= set(STORED)
+
+
+def test_what_is_known_to_be_off_has_a_reason(quick):
+    for name, blender in deviations.load():
+        if name in quick:
+            assert deviations.reason_of(quick[name].facts, blender), name
 
 
 # --- what is said of pictures ---------------------------------------------------------------
@@ -136,22 +136,26 @@ def test_references_survive_their_file(tmp_path):
 def test_sigma_is_the_standard_error_of_the_mean():
     batches = [noisy(0.5, 0.04) for _ in range(16)]
     sigma = references.of_batches(batches, 64, 0.0, "").sigma
-    luminance_sigma = 0.04 * np.linalg.norm(references.LUMINANCE) / np.sqrt(16)
+    luminance_sigma = 0.04 * np.linalg.norm(LUMINANCE) / np.sqrt(16)
     assert np.sqrt(np.mean(sigma**2)) == pytest.approx(luminance_sigma, rel=0.05)
 
 
-FACTS = {"name": "lights/point", "about": "", "view": "COLOR", "before_4": None,
-         "threshold": 0.03, "differs": ""}  # fmt: skip
+FACTS = {"name": "lights/point", "about": "", "view": "COLOR", "samples": 64, "differs": "",
+         "before_4": "", "refused": ""}  # fmt: skip
 
 
-def row_with(monkeypatch, tmp_path, brightness: float, **facts):
-    """The row of a grey picture beside a reference that is as bright as it, times `brightness`."""
+def row_with(monkeypatch, tmp_path, brightness: float, error: str = "", **facts):
+    """The row of a grey picture beside a reference that is as bright as it, times `brightness`;
+    half as bright is what is recorded."""
     monkeypatch.setattr(references, "FOLDER", tmp_path)
+    monkeypatch.setattr(deviations, "FILE", tmp_path / "deviations.csv")
+    known = "".join(f"lights/point,{blender},0.384,0.1485\n" for blender in ("any", "before 4.0"))
+    deviations.FILE.write_text(f"scene,blender,flip,excess_rmse\n{known}")
     grey = np.full((64, 64, 3), 0.25, np.float32)
     made = references.of_batches([grey, grey], 64, 0.0, "")
     references.save(references.path_of("lights/point"), made)
     rgba = np.dstack([grey * brightness, np.ones((64, 64), np.float32)])
-    return row_of(Rendered(FACTS | facts, pictures=[rgba]), (3, 4))
+    return row_of(Rendered(FACTS | facts, pictures=[rgba], error=error), (3, 4, 1))
 
 
 def test_equal_picture_passes(monkeypatch, tmp_path):
@@ -164,14 +168,32 @@ def test_darker_picture_fails(monkeypatch, tmp_path):
     assert row.difference.brightness_ratio == pytest.approx(0.5, rel=0.01)
 
 
-def test_what_is_known_to_differ_is_told_apart(monkeypatch, tmp_path):
-    row = row_with(monkeypatch, tmp_path, 0.5, threshold=0.9, differs="for a reason")
+@pytest.mark.parametrize("kind", ["differs", "before_4"])
+def test_what_is_known_to_differ_is_told_apart(monkeypatch, tmp_path, kind):
+    row = row_with(monkeypatch, tmp_path, 0.5, **{kind: "for a reason"})
     assert (row.outcome, row.reason) == (EXPECTED, "for a reason")
 
 
-def test_old_blender_has_its_own_threshold(monkeypatch, tmp_path):
-    row = row_with(monkeypatch, tmp_path, 0.5, before_4=("otherwise", 0.9))
-    assert (row.outcome, row.reason) == (EXPECTED, "otherwise")
+@pytest.mark.parametrize("brightness", [0.45, 0.55])
+def test_what_is_known_to_differ_fails_further_off_and_nearer(monkeypatch, tmp_path, brightness):
+    row = row_with(monkeypatch, tmp_path, brightness, differs="for a reason")
+    assert row.outcome == FAILED
+
+
+def test_what_must_be_refused_must_not_be_rendered(monkeypatch, tmp_path):
+    refused = {"refused": "no such lens"}
+    assert row_with(monkeypatch, tmp_path, 1.0, **refused).outcome == FAILED
+    assert row_with(monkeypatch, tmp_path, 1.0, "it died", **refused).outcome == FAILED
+    assert row_with(monkeypatch, tmp_path, 1.0, "no such lens", **refused).outcome == EXPECTED
+
+
+def test_what_is_off_is_recorded_and_no_longer_off_is_forgotten(monkeypatch, tmp_path):
+    row_with(monkeypatch, tmp_path, 1.0)
+    off, as_cycles = (Difference(x, x, x, 1.0, x) for x in (0.5, 0.001))
+    deviations.record({"lights/point": as_cycles}, {"lights/point": FACTS}, (4, 3, 2))
+    assert list(deviations.load()) == [("lights/point", "before 4.0")]
+    deviations.record({"lights/point": off}, {"lights/point": FACTS}, (4, 3, 2))
+    assert deviations.load()["lights/point", "any"] == (0.5, 0.5)
 
 
 def test_png_holds_the_picture():

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.display import LUMINANCE  # noqa: E402
 from tools.flip import mean_flip  # noqa: E402
 
 BLOCK_PX = 8
-LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 
 
 @dataclass

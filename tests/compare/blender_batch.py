@@ -16,6 +16,11 @@ BLENDER = os.environ.get("BLENDER", "blender")
 SCENE_TIMEOUT_S = 300
 
 
+def blender_version() -> tuple[int, ...]:
+    ran = subprocess.run([BLENDER, "--version"], capture_output=True, text=True, check=True)
+    return tuple(int(part) for part in ran.stdout.split()[1].split("."))
+
+
 @dataclass
 class Rendered:
     """What became of one scene."""

@@ -9,13 +9,13 @@ status is 1 if a scene is further off than its threshold.
 import argparse
 import os
 import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
-from blender_batch import BLENDER, render_features
+from blender_batch import blender_version, render_features
 from compare_files import compare_files
+from deviations import record
 from not_yet import NOT_YET
 from page import FAILED, PASSED, Row, line_of, summary, write_csv, write_page
 from verdict import row_of
@@ -24,15 +24,15 @@ OUT = Path(os.environ.get("EYE_OUT_DIR", Path(__file__).resolve().parents[2] / "
 SEED = 11  # none of the references'
 
 
-def blender_version() -> tuple[int, ...]:
-    ran = subprocess.run([BLENDER, "--version"], capture_output=True, text=True)
-    return tuple(int(part) for part in ran.stdout.split()[1].split(".")[:2])
-
-
-def compare_features(glob: str, samples: int | None, folder: Path) -> list[Row]:
-    found = render_features("EYE_RENDER", glob, [SEED], folder, samples)
+def compare_features(arguments: argparse.Namespace, folder: Path) -> list[Row]:
+    found = render_features("EYE_RENDER", arguments.scenes, [SEED], folder, arguments.samples)
     version = blender_version()
-    return [row_of(rendered, version) for rendered in found.values()]
+    rows = [row_of(rendered, version, arguments.samples) for rendered in found.values()]
+    if arguments.record:
+        measured = {row.name: row.difference for row in rows if row.difference}
+        record(measured, {name: rendered.facts for name, rendered in found.items()}, version)
+        rows = [row_of(rendered, version, arguments.samples) for rendered in found.values()]
+    return rows
 
 
 def main() -> None:
@@ -44,6 +44,8 @@ def main() -> None:
     parser.add_argument("--scenes", default="*", metavar="GLOB",
                         help="feature scenes to compare, as 'lights/*' (default all)")  # fmt: skip
     parser.add_argument("--samples", type=int, help="per pixel (default: each scene's own; 256)")
+    parser.add_argument("--record", action="store_true",
+                        help="keep how far off scenes are, in deviations.csv")  # fmt: skip
     parser.add_argument("--bounces", type=int, default=4, help="of files (default 4)")
     parser.add_argument("--size", type=int, default=256,
                         help="of files: pixels of the longer side (default 256)")  # fmt: skip
@@ -53,7 +55,7 @@ def main() -> None:
         if arguments.files:
             rows = compare_files(arguments, Path(folder))
         else:
-            rows = compare_features(arguments.scenes, arguments.samples, Path(folder))
+            rows = compare_features(arguments, Path(folder))
             shutil.copy(Path(folder) / "blender.log", OUT / "compare.log")
     for row in rows:
         print(line_of(row))

@@ -9,9 +9,7 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-
-# How far apart two pictures may be: mean FLIP, 0 to 1.
-THRESHOLD = 0.03
+BELOW_ZERO = "Eye Render sees no light below zero, which Cycles subtracts at the edges"  # differs
 
 
 @dataclass(frozen=True)
@@ -19,12 +17,12 @@ class Feature:
     name: str  # FAMILY/FUNCTION
     about: str
     build: Callable[[], None]
-    threshold: float = THRESHOLD  # wider where `differs` says why
     samples: int = 256  # per pixel, enough in Eye Render
     bounces: int = 2
     view: str = "COLOR"  # how the picture is looked at: a key of picture.VIEWS
-    differs: str = ""  # why the picture may be further from Cycles 4.3 than the threshold
-    before_4: tuple[str, float] | None = None  # why and how far, in a Blender before 4.0
+    differs: str = ""  # why the picture is not Cycles 4.3's; deviations.csv says how far it is off
+    before_4: str = ""  # the same where only that of a Blender before 4.0 is not
+    refused: str = ""  # of what Eye Render says that does not render the scene
     since: tuple[int, int] = (3, 4)  # the Blender that has the feature
     shows_pass: tuple = ()  # the view layer's switch (or None) and the names of the pass seen
 

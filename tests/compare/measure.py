@@ -6,15 +6,15 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
-from picture import to_display
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.display import LUMINANCE, to_display  # noqa: E402
+
 try:
     from tools.flip import mean_flip
 except ImportError:  # pip could not install it: RMSE decides
     mean_flip = None
 
-LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 BLOCK_PX = 4
 
 
@@ -24,6 +24,7 @@ class Difference:
     rmse: float  # of what sRGB shows, 0 to 1
     block_rmse: float  # the same of blocks' means, in which noise hardly counts
     brightness_ratio: float  # mean of the picture over mean of the reference
+    excess_rmse: float = math.nan  # block_rmse less noise, where the reference's is known
 
     def figure(self) -> float:
         """What is held against a threshold of mean FLIP."""

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 from measure import Difference
-from picture import to_display
+from tools.display import to_display
 
 PASSED, EXPECTED, FAILED = "ok", "differs, as expected", "FAILED"
 DIFFERENCE_GAIN = 4.0  # the page's difference pictures are brightened by this

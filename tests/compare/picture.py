@@ -18,9 +18,3 @@ VIEWS = {
 def as_seen(rgba: np.ndarray, view: str) -> np.ndarray:
     """Linear RGB, (height, width, 3)."""
     return VIEWS[view](np.nan_to_num(rgba, nan=0.0, posinf=1e4, neginf=-1e4))
-
-
-def to_display(linear: np.ndarray) -> np.ndarray:
-    """As sRGB shows it, 0 to 1."""
-    linear = np.clip(linear, 0, 1)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

@@ -5,13 +5,16 @@ small; half a step is 0.2 %), `sigma`, the standard error of each pixel's mean l
 per pixel in all, `noise` (mean FLIP of one half of the batches against the other) and `blender`.
 """
 
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from tools.display import LUMINANCE  # noqa: E402
+
 FOLDER = Path(__file__).resolve().parent / "references"
-LUMINANCE = np.array([0.2126, 0.7152, 0.0722], np.float32)
 BRIGHTEST = 16.0  # what is brighter is stored as this
 _DROPPED_BITS = 3  # of a half float's ten
 _SIGMA_STEPS = 8  # of a byte, for a factor of two

@@ -2,26 +2,24 @@
 
 import references
 from blender_batch import Rendered
-from measure import measure
-from not_yet import NOT_YET
+from deviations import AS_CYCLES, FLIP_MARGIN, expected_of
+from measure import Difference, excess_rmse, measure
 from page import EXPECTED, FAILED, PASSED, Cost, Row
 from picture import as_seen
 
-THRESHOLD = 0.03  # of mean FLIP
-ANYTHING = 1.0
 
-
-def row_of(rendered: Rendered, version: tuple[int, ...]) -> Row:
-    """The scene beside its reference."""
+def row_of(rendered: Rendered, version: tuple[int, ...], samples: int | None = None) -> Row:
+    """The scene beside its reference. `samples` None: rendered with its own."""
     facts = rendered.facts
-    threshold, reason = allowed(facts, version)
-    row = Row(facts["name"], facts["about"], FAILED, threshold, reason)
+    expected = expected_of(facts, version)
+    row = Row(facts["name"], facts["about"], FAILED, round(expected.flip + FLIP_MARGIN, 4))
     row.warnings = rendered.warnings
-    stored = references.path_of(facts["name"])
-    if rendered.error:
-        row.outcome = EXPECTED if threshold >= ANYTHING else FAILED
-        row.reason = f"{rendered.error} ({reason})" if reason else rendered.error
+    if rendered.error or facts["refused"]:
+        is_refused = bool(facts["refused"]) and facts["refused"] in rendered.error
+        row.outcome = EXPECTED if is_refused else FAILED
+        row.reason = rendered.error or f"rendered, in place of: {facts['refused']}"
         return row
+    stored = references.path_of(facts["name"])
     if not stored.exists():
         row.reason = "no reference"
         return row
@@ -29,22 +27,20 @@ def row_of(rendered: Rendered, version: tuple[int, ...]) -> Row:
     picture = as_seen(rendered.pictures[0], facts["view"])
     row.noise, row.pictures = reference.noise, (reference.mean, picture)
     row.eye_render = Cost(rendered.seconds, rendered.peak_mb)
-    row.difference = measure(reference.mean, picture)
-    figure = row.difference.figure()
-    if figure <= THRESHOLD:
-        row.outcome, row.reason = PASSED, ""
-    elif figure <= threshold:
-        row.outcome = EXPECTED
+    row.difference = difference_of(reference, picture, samples or facts["samples"])
+    if AS_CYCLES.is_near(row.difference):
+        row.outcome = PASSED
+    elif expected.why and expected.is_near(row.difference):
+        row.outcome, row.reason = EXPECTED, expected.why
     else:
-        row.reason = f"more than {threshold}" + (f" ({reason})" if reason else "")
+        row.reason = f"expected is FLIP {expected.flip}, excess RMSE {expected.excess_rmse}"
+        row.reason += f" ({expected.why})" if expected.why else ""
     return row
 
 
-def allowed(facts: dict, version: tuple[int, ...]) -> tuple[float, str]:
-    """How far the scene may be off in that Blender, and why so far."""
-    if facts["name"] in NOT_YET:
-        return NOT_YET[facts["name"]]
-    if version < (4, 0) and facts["before_4"]:
-        reason, threshold = facts["before_4"]
-        return threshold, reason
-    return facts["threshold"], facts["differs"]
+def difference_of(reference: references.Reference, picture, samples: int) -> Difference:
+    difference = measure(reference.mean, picture)
+    difference.excess_rmse = excess_rmse(
+        reference.mean, reference.sigma, reference.samples, picture, samples
+    )
+    return difference

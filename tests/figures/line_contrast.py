@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from tools.display import LUMINANCE
 
 
 @dataclass
@@ -39,7 +40,13 @@ def read_luminance(picture: Path, white: float = 1.0) -> np.ndarray:
     with tempfile.TemporaryDirectory() as folder:
         gray = Path(folder) / "luminance.pgm"
         command = ["oiiotool", str(picture), "--ch", "R,G,B", "--mulc", str(1 / white)]
-        command += ["--chsum:weight=0.2126,0.7152,0.0722", "-d", "uint8", "-o", str(gray)]
+        command += [
+            f"--chsum:weight={','.join(map(str, LUMINANCE))}",
+            "-d",
+            "uint8",
+            "-o",
+            str(gray),
+        ]
         subprocess.run(command, check=True)
         kind, size, _, pixels = gray.read_bytes().split(b"\n", 3)
     width, height = map(int, size.split())

@@ -3,14 +3,10 @@ flip between them. Only in the venv of the package flip-evaluator."""
 
 import flip_evaluator
 import numpy as np
+from tools.display import to_display
 
 
 def mean_flip(reference: np.ndarray, test: np.ndarray) -> float:
     """Mean LDR FLIP, 0 to 1, of two linear RGB images (h, w, 3) as a display clips them."""
-    pair = [np.ascontiguousarray(_srgb(image), np.float32) for image in (reference, test)]
+    pair = [np.ascontiguousarray(to_display(image), np.float32) for image in (reference, test)]
     return float(flip_evaluator.evaluate(*pair, "LDR")[1])
-
-
-def _srgb(linear: np.ndarray) -> np.ndarray:
-    linear = np.clip(linear, 0, 1)
-    return np.where(linear <= 0.0031308, 12.92 * linear, 1.055 * linear ** (1 / 2.4) - 0.055)

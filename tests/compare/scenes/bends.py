@@ -159,7 +159,7 @@ def bevel():
     shown.rotation_euler = (0, 0, 0.7)
 
 
-@feature()
+@feature(differs="a face that smooth normals turn away from the sun is lit otherwise at its end")
 def custom_normals():
     """Split normals that the mesh brings along"""
     outdoors()
@@ -181,7 +181,7 @@ def flat_shading():
     add(mesh, BALL_CENTRE)
 
 
-@feature(threshold=0.04)
+@feature()
 def coarse_smooth():
     """A ball of few smooth faces, where light turns the corner"""
     outdoors()

@@ -261,7 +261,7 @@ def camera_shift():
     bpy.context.scene.render.pixel_aspect_x = 1.5
 
 
-@feature(threshold=1.0, differs="an eye has no parallel projection")
+@feature(refused="an eye needs a perspective camera")
 def orthographic():
     """An orthographic camera"""
     ball(diffuse(PAINT))

@@ -25,7 +25,7 @@ from stage import (
 from tree import Tree, out
 
 DIM = (0.05, 0.06, 0.08)
-COSINE = ("before Blender 4.0 a spot is dimmed by the cosine of the angle from its axis", 0.1)
+COSINE = "before Blender 4.0 a spot is dimmed by the cosine of the angle from its axis"
 
 
 def by_night() -> None:
@@ -85,7 +85,7 @@ def spot_hard():
     lit_by("SPOT", 300.0, spot_size=math.radians(30), spot_blend=0.0, shadow_soft_size=0.0)
 
 
-@feature(before_4=("before Blender 4.0 a spot also ignores the object's scale", 0.16))
+@feature(before_4="before Blender 4.0 a spot also ignores the object's scale")
 def spot_scaled():
     """A spot that is twice as wide as high"""
     settings = {"spot_size": math.radians(40), "spot_blend": 0.2, "shadow_soft_size": 0.05}

@@ -34,7 +34,7 @@ def still_life() -> None:
     add(dressed(ball_mesh(0.2), glow), (-0.5, -1.0, 0.2))
 
 
-BEFORE_4 = ("before Blender 4.0 Principled splits its light otherwise", 0.1)
+BEFORE_4 = "before Blender 4.0 Principled splits its light otherwise"
 
 # What it is, the view layer's switch, the pass's names from new to old, and how it is looked at.
 PASSES = {
@@ -55,7 +55,8 @@ PASSES = {
     "denoising_normal": ("Denoising normal", "denoising_store_passes", ("Denoising Normal",),
                          {"view": "SIGNED"}),
     "diffuse_direct": ("Direct diffuse light", "use_pass_diffuse_direct",
-                       ("Diffuse Direct", "DiffDir"), {"samples": 512}),
+                       ("Diffuse Direct", "DiffDir"),
+                       {"samples": 512, "differs": "a quotient of little by little at edges"}),
     "diffuse_indirect": ("Indirect diffuse light", "use_pass_diffuse_indirect",
                          ("Diffuse Indirect", "DiffInd"), {"samples": 512}),
     "diffuse_color": ("Diffuse colour", "use_pass_diffuse_color",

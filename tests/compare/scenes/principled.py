@@ -7,8 +7,7 @@ from tree import out
 PAINT = (0.6, 0.25, 0.1)
 GOLD = (0.9, 0.65, 0.3)
 
-LAYERS = ("before Blender 4.0 Principled layers its lobes otherwise", 0.1)
-SHEEN = ("before Blender 4.0 the sheen was another model", 0.2)
+LAYERS = "before Blender 4.0 Principled layers its lobes otherwise"
 
 
 def principled(**more) -> None:
@@ -92,7 +91,7 @@ def anisotropic():
     )
 
 
-@feature(before_4=SHEEN)
+@feature(before_4="before Blender 4.0 the sheen was another model")
 def sheen():
     """Sheen 1"""
     principled(Base_Color=(0.1, 0.02, 0.02), Roughness=1.0, Sheen_Weight=1.0)
@@ -158,7 +157,7 @@ def subsurface():
     _subsurface("RANDOM_WALK")
 
 
-@feature(bounces=4, samples=512, before_4=LAYERS)
+@feature(bounces=4, samples=512)
 def subsurface_burley():
     """Burley's diffusion"""
     _subsurface("BURLEY")

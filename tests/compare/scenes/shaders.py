@@ -7,7 +7,6 @@ from tree import Tree, out
 
 RED = (0.8, 0.2, 0.1)
 BLUE = (0.1, 0.3, 0.8)
-SEPARABLE = ("before Blender 4.0 the microfacets' shadowing was separable", 0.05)
 
 
 @feature()
@@ -28,7 +27,7 @@ def glossy_sharp():
     ball_of("BsdfAnisotropic", {"Color": RED, "Roughness": 0.0}, distribution="GGX")
 
 
-@feature(before_4=SEPARABLE)
+@feature()
 def glossy_ggx():
     """GGX, roughness 0.4"""
     ball_of("BsdfAnisotropic", {"Color": RED, "Roughness": 0.4}, distribution="GGX")
@@ -40,7 +39,7 @@ def glossy_multi_ggx():
     ball_of("BsdfAnisotropic", {"Color": RED, "Roughness": 0.8}, distribution="MULTI_GGX")
 
 
-@feature(before_4=SEPARABLE)
+@feature()
 def glossy_beckmann():
     """Beckmann, roughness 0.4"""
     ball_of("BsdfAnisotropic", {"Color": RED, "Roughness": 0.4}, distribution="BECKMANN")
@@ -52,7 +51,7 @@ def glossy_ashikhmin():
     ball_of("BsdfAnisotropic", {"Color": RED, "Roughness": 0.4}, distribution="ASHIKHMIN_SHIRLEY")
 
 
-@feature(before_4=SEPARABLE)
+@feature()
 def glossy_anisotropic():
     """Anisotropy 0.7 about a radial tangent, turned by an eighth"""
     tree = new_tree()
@@ -83,7 +82,7 @@ def glass():
     ball_of("BsdfGlass", inputs, distribution="GGX")
 
 
-@feature(bounces=4, samples=512, before_4=SEPARABLE)
+@feature(bounces=4, samples=512)
 def glass_rough():
     """Coloured glass, roughness 0.3"""
     inputs = {"Color": (0.6, 0.9, 0.8), "Roughness": 0.3, "IOR": 1.5}
@@ -111,7 +110,7 @@ def refraction():
     ball_of("BsdfRefraction", inputs, distribution="GGX")
 
 
-@feature(bounces=4, samples=512, before_4=SEPARABLE)
+@feature(bounces=4, samples=512)
 def refraction_rough():
     """Refraction, roughness 0.3"""
     inputs = {"Color": (0.9, 0.9, 0.6), "Roughness": 0.3, "IOR": 1.3}
