@@ -15,7 +15,7 @@ BUILD = Path(os.environ.get("EYE_BUILD_DIR", ROOT / "build"))
 BLENDER = os.environ.get("BLENDER", "blender")
 
 # Where a build is there already.
-CHEAP = {"build", "package"}
+CHEAP = {"build", "help", "package"}
 # What takes minutes, opens a window or runs these tests: only looked up in `run help`.
 DEAR = {
     "demo",
