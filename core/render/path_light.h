@@ -14,7 +14,9 @@ namespace eye_render {
 
 struct PathRadiance {
     Color3f radiance{0.0f};
-    float alpha = 1.0f;  // below 1 where a transparent film or a holdout shows
+    // Below 1 where a transparent film or a holdout shows; of one path any number, whose mean over
+    // paths is from 0 to 1.
+    float alpha = 1.0f;
 };
 
 // By what light was scattered, in shares of each channel that add up to 1. What is neither of
@@ -84,7 +86,7 @@ public:
     void uncover(const Color3f& share)
     {
         const float mean = (share.x + share.y + share.z) / 3.0f;
-        seen_.alpha = std::max(0.0f, seen_.alpha - mean);
+        seen_.alpha -= mean;
         uncover_matte(mean);
     }
 

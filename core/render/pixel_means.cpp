@@ -1,5 +1,7 @@
 #include "render/pixel_means.h"
 
+#include <algorithm>
+
 namespace eye_render {
 
 namespace {
@@ -59,7 +61,13 @@ double PixelMeans::sample_weight(std::size_t channel) const
 double PixelMeans::combined(std::size_t channel) const
 {
     const std::size_t sum = FilmLayout::combined + channel;
-    return channel < alpha ? light(sum, channel) : sums_[sum] / weight();
+    return channel < alpha ? light(sum, channel) : coverage(sum);
+}
+
+// Noise may take the mean of few paths out of its range.
+double PixelMeans::coverage(std::size_t sum) const
+{
+    return std::clamp(sums_[sum] / weight(), 0.0, 1.0);
 }
 
 CaughtLight PixelMeans::caught() const
@@ -73,7 +81,7 @@ CaughtLight PixelMeans::caught() const
             .bare = color(FilmLayout::pass_sums + catcher.bare),
             .behind = color(FilmLayout::pass_sums + catcher.behind),
             .alpha = combined(alpha),
-            .matte_alpha = sums_[FilmLayout::pass_sums + catcher.matte_alpha] / weight()};
+            .matte_alpha = coverage(FilmLayout::pass_sums + catcher.matte_alpha)};
 }
 
 }  // namespace eye_render

@@ -30,6 +30,8 @@ private:
     [[nodiscard]] double light(std::size_t sum, std::size_t channel) const;
     [[nodiscard]] double sample_weight(std::size_t channel) const;
     [[nodiscard]] double combined(std::size_t channel) const;
+    // Of the sum of one of the alphas.
+    [[nodiscard]] double coverage(std::size_t sum) const;
     [[nodiscard]] CaughtLight caught() const;
 
     const FilmLayout& layout_;

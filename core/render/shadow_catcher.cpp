@@ -23,8 +23,9 @@ V3d catcher_factor(const CaughtLight& light)
     }
     V3d factor;
     for (int c = 0; c < 3; ++c) {
+        // Where nothing lights the bare place there is nothing to darken.
         const double ratio =
-            light.bare[c] > 0.0 ? (light.all[c] - light.matte[c]) / light.bare[c] : 0.0;
+            light.bare[c] > 0.0 ? (light.all[c] - light.matte[c]) / light.bare[c] : 1.0;
         // At an edge against a transparent film the rest of the pixel is not darkened.
         factor[c] = 1.0 - light.alpha + light.alpha * ratio;
     }

@@ -47,8 +47,11 @@ void add_aov(PassValues& values,
     if (wi.dot(seen.hit.point.ng) <= 0.0f) {
         return Color3f(0.0f);
     }
-    return seen.scene.transmittance(
-        {.origin = seen.hit.origin_towards(wi), .direction = wi, .t_max = distance}, seen.path);
+    return seen.scene.transmittance({.origin = seen.hit.origin_towards(wi),
+                                     .direction = wi,
+                                     .t_max = distance,
+                                     .time = seen.hit.time},
+                                    seen.path);
 }
 
 }  // namespace

@@ -18,6 +18,18 @@ TEST(ShadowCatcher, the_factor_is_what_objects_leave_of_the_light)
     EXPECT_EQ(without_shadow(half_dark), (std::array{0.0, 0.0, 0.0, 0.0}));
 }
 
+TEST(ShadowCatcher, what_is_unlit_without_objects_is_not_darkened)
+{
+    const CaughtLight red{.all = V3d(0.3, 0.0, 0.0),
+                          .bare = V3d(0.3, 0.0, 0.0),
+                          .behind = V3d(1.0),
+                          .matte_alpha = 0.0};
+    EXPECT_EQ(catcher_factor(red), V3d(1.0));
+    EXPECT_EQ(over_nothing(red)[3], 0.0);
+    const CaughtLight unlit{.behind = V3d(2.0), .matte_alpha = 0.0};
+    EXPECT_EQ(over_world(unlit), (std::array{2.0, 2.0, 2.0, 1.0}));
+}
+
 TEST(ShadowCatcher, where_there_is_none_the_picture_is_as_it_is)
 {
     const CaughtLight object{.all = V3d(0.3), .matte = V3d(0.3)};

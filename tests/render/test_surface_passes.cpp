@@ -78,6 +78,28 @@ TEST(AmbientOcclusion, is_what_a_ceiling_leaves_free_if_it_is_near)
     EXPECT_NEAR(mean_of_pass(data, Pass::AmbientOcclusion, near)[0], 1.0, 1e-9);
 }
 
+// A ceiling that is gone but at the shutter's middle.
+TEST(AmbientOcclusion, is_that_of_the_path_s_time)
+{
+    SceneData data;
+    test::place(data, test::square(5.0f), V3d(0, 0, -3), test::diffuse(0.5f));
+    test::place(data, test::square(5.0f), V3d(0, 0, -2.9), test::diffuse(0.5f));
+    data.instances[1].visibility.to_camera = false;
+    const M44d over = data.instances[1].world_from_object;
+    M44d aside = over;
+    aside.translate(V3d(100.0, 0.0, 0.0));
+    data.instances[1].motion = {aside, over, aside};
+    const Scene scene(data, V3d(0.0));
+    const PassLayout layout({Pass::AmbientOcclusion});
+    for (const float time : {0.0f, 0.5f}) {
+        PassValues values(layout);
+        SampleSequence sequence = test::sequence_of(0);
+        static_cast<void>(trace_path(scene, {}, {.direction = ahead.direction, .time = time},
+                                     sequence, &values));
+        EXPECT_EQ(values.channels()[0], time == 0.0f ? 1.0f : 0.0f) << time;
+    }
+}
+
 TEST(DenoisingFeatures, a_mirror_shows_those_of_what_it_mirrors_in_its_own_colour)
 {
     SceneData data;
