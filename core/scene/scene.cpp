@@ -107,6 +107,7 @@ Color3f Scene::transmittance(const Ray& ray,
     shadow.is_camera = false;
     shadow.is_shadow = true;
     Ray rest = ray;
+    float travelled = 0.0f;
     int boundaries = 0;
     for (int passages = 0; passages <= most_passages && boundaries <= max_boundaries;) {
         const auto hit = intersect(rest, shadow);
@@ -122,10 +123,11 @@ Color3f Scene::transmittance(const Ray& ray,
         if (!hit) {
             return result;
         }
+        travelled += hit->t;
         if (hit->material().is_boundary) {
             ++boundaries;
         } else {
-            shadow.length = hit->t;
+            shadow.length = travelled;
             result *= straight_transmittance(*hit, shadow);
             ++shadow.transparent_depth;
             ++passages;

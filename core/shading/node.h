@@ -74,7 +74,7 @@ struct PathState {
     bool is_transmission = false;
     bool is_volume_scatter = false;
     bool sees_catchers_only = false;  // as if there were nothing but shadow catchers
-    float length = 0.0f;              // of the last ray, world units
+    float length = 0.0f;              // from the last scattering, world units
     // The least density, per unit solid angle, with which it was scattered so far: blurry if
     // small.
     float smallest_pdf = std::numeric_limits<float>::max();
