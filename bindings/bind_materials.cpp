@@ -171,6 +171,14 @@ void bind_materials(SceneClass& scene)
              "around\n"
              "a volume, which is what fills a closed mesh; displacement is shown as bump.")
         .def("set_world_light_group", &SceneBuilder::set_world_light_group, "name"_a)
+        .def(
+            "set_world_visibility",
+            [](SceneBuilder& builder, const std::vector<std::string>& hidden_from) {
+                builder.set_world_visibility(visibility_from(hidden_from));
+            },
+            "hidden_from"_a,
+            "The kinds of rays that the world's light is hidden from, as add_instances names "
+            "them.")
         .def("set_world", &set_world, "surface"_a, "volume"_a = py::none(), "aovs"_a = py::dict(),
              "The light around the scene: an output of a Background node, or one colour; and what "
              "the\n"

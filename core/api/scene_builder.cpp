@@ -188,6 +188,12 @@ void SceneBuilder::set_world_light_group(const std::string& name)
     data_.world_light_group = light_group(name);
 }
 
+void SceneBuilder::set_world_visibility(const Visibility& visibility)
+{
+    require_unleased();
+    data_.world_visibility = visibility;
+}
+
 void SceneBuilder::set_camera(const CameraFrame& frame, std::vector<CameraFrame> motion)
 {
     require_unleased();

@@ -44,6 +44,7 @@ public:
     // The number of a light group; none for the empty name.
     [[nodiscard]] int light_group(const std::string& name);
     void set_world_light_group(const std::string& name);
+    void set_world_visibility(const Visibility& visibility);
 
     // Names of the layers that the materials read.
     [[nodiscard]] std::vector<std::string> uv_layers_read(

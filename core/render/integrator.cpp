@@ -48,7 +48,7 @@ public:
                 add_background(ray);
                 break;
             }
-            path_.length = hit->t;
+            path_.length = travelled_ + hit->t;
             hit->point.footprint = settings_.pixel_slope * (length_ + hit->t);
             ShadedPoint shaded = scene_.shade(*hit, path_);
             if (shows_film_ && cut_out(*hit, shaded)) {
@@ -181,7 +181,8 @@ private:
         }
         BsdfValue scattered = bsdf.evaluate(light->wi);
         if (!light->visibility.to_all_scattering()) {
-            scattered.value = light->visibility.seen_part(bsdf.parts(light->wi));
+            scattered.value = light->visibility.seen_part(
+                bsdf.parts(light->wi), light->wi.dot(hit.point.ng) < 0.0f, light->is_surface);
         }
         if (max_component(scattered.value) <= 0.0f) {
             return;

@@ -41,6 +41,7 @@ struct IncomingLight {
     bool is_met_by_rays = true;
     bool casts_shadow = true;
     Visibility visibility{};    // for which kinds of scattering it is there
+    bool is_surface = false;    // of an object: a thing that is seen, not a lamp or the world
     bool is_of_catcher = true;  // there, too, where only shadow catchers are: all but objects
     LightOrigin origin{};
 };
@@ -150,7 +151,7 @@ public:
     {
         const LampTree& lamps = path.is_camera ? camera_lamps_ : visible_lamps_;
         lamps.visit(point.p_world, direction, t_max, [&](std::uint32_t index) {
-            if (!lamps_[index].visibility.sees(path)) {
+            if (!lamps_[index].visibility.shines_on(path)) {
                 return;
             }
             const auto hit = lamp_hit(lamps_[index], point.p_world, direction, t_max);
@@ -173,7 +174,8 @@ public:
 
     [[nodiscard]] Color3f background(const V3f& direction, const PathState& path) const
     {
-        return environment_.radiance(direction, path);
+        return data_.world_visibility.shines_on(path) ? environment_.radiance(direction, path)
+                                                      : Color3f(0.0f);
     }
 
 private:

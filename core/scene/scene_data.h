@@ -71,6 +71,7 @@ struct SceneData {
     std::vector<std::string> light_groups;
     std::vector<std::string> aovs;
     int world_light_group = no_light_group;
+    Visibility world_visibility{};  // of its light; what fills it hides from nothing
 };
 
 // The layer numbers that some of the materials reads, ascending and without repeats.

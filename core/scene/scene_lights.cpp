@@ -135,6 +135,7 @@ std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
                               .distance = std::numeric_limits<float>::infinity(),
                               .radiance = sample.radiance,
                               .pdf = sample.pdf,
+                              .visibility = data_.world_visibility,
                               .origin = world_origin()};
         break;
     }
@@ -186,6 +187,8 @@ std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
                          .radiance =
                              emission(emitter, {b.y, 1.0f - b.x - b.y}, -to_light / distance),
                          .pdf = uniform_triangle_pdf() * distance2 * distance / projected,
+                         .visibility = emitter.placement->visibility,
+                         .is_surface = true,
                          .is_of_catcher = emitter.placement->is_shadow_catcher,
                          .origin = {.group = emitter.placement->light_group}};
 }

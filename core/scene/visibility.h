@@ -25,17 +25,28 @@ struct Visibility {
         return to_diffuse && to_glossy && to_transmission;
     }
 
-    // Of light that is sampled where it is scattered.
-    [[nodiscard]] Color3f seen_part(const BsdfParts& parts) const
+    // Light that is sampled where it is scattered: the part that a ray of the same scattering
+    // would see, by `shines_on` of a lamp and the world, by `sees` of a surface.
+    [[nodiscard]] Color3f seen_part(const BsdfParts& parts,
+                                    bool is_transmitted,
+                                    bool is_surface) const
     {
+        const bool to_wide = is_surface && is_transmitted ? to_transmission : to_diffuse;
         Color3f sum(0.0f);
-        sum += to_diffuse ? parts.diffuse : Color3f(0.0f);
+        sum += to_wide ? parts.diffuse : Color3f(0.0f);
         sum += to_glossy ? parts.glossy : Color3f(0.0f);
         sum += to_transmission ? parts.transmission : Color3f(0.0f);
         return sum;
     }
 
-    // For the ray that the path is about to follow.
+    // Of a lamp or the world, on the ray that the path is about to follow. Where a wide lobe let
+    // the light pass it is diffuse to lights and transmitted to objects, as in Cycles.
+    [[nodiscard]] bool shines_on(const PathState& path) const
+    {
+        return path.is_diffuse ? to_diffuse : sees(path);
+    }
+
+    // Of a surface, for the ray that the path is about to follow.
     [[nodiscard]] bool sees(const PathState& path) const
     {
         if (path.is_shadow) {

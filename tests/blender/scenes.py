@@ -218,6 +218,9 @@ class RecordingScene:
     def set_world_light_group(self, name):
         self.world_light_group = name
 
+    def set_world_visibility(self, hidden_from):
+        self.world_hidden_from = hidden_from
+
     def set_camera(self, world_from_camera, slope_bounds, resolution, **rest):
         self.camera = SimpleNamespace(
             world_from_camera=world_from_camera,

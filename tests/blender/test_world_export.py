@@ -85,13 +85,6 @@ def test_a_volume_fills_the_scene(export, world):
 def test_a_world_hides_from_kinds_of_rays(export, world):
     surface(world, "ShaderNodeBackground")
     world.cycles_visibility.glossy = world.cycles_visibility.camera = False
-    outer = export().world.node
-    assert outer.kind == "MIX_SHADER"
-    glossy = outer.inputs["Fac"].node
-    assert {socket.identifier for socket in glossy.inputs.values()} == {
-        "Is Glossy Ray",
-        "Is Reflection Ray",
-    }
-    inner = outer.inputs["Shader"].node
-    assert inner.inputs["Fac"].identifier == "Is Camera Ray"
-    assert inner.inputs["Shader"].node.kind == "BACKGROUND"
+    exported = export()
+    assert exported.world.node.kind == "BACKGROUND"
+    assert exported.world_hidden_from == ["CAMERA", "GLOSSY"]

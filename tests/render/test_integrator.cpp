@@ -2,6 +2,7 @@
 
 #include "base/units.h"
 #include "estimate.h"
+#include "scene_graphs.h"
 #include "scenes.h"
 
 #include <gtest/gtest.h>
@@ -196,6 +197,130 @@ TEST(Integrator, transparent_film_shows_through_glass_as_smooth_as_asked_for)
     const auto to_the_fourth = [](float x) { return x * x * x * x; };
     EXPECT_LT(behind(0.3f, 1.3f, to_the_fourth(0.31f)).alpha, 0.5f);
     EXPECT_EQ(behind(0.3f, 1.3f, to_the_fourth(0.29f)).alpha, 1.0f);
+}
+
+// A floor of the material at z = -3 that only a panel over it lights; seen from between the two.
+Estimate below_a_panel(const Material& floor, const Visibility& panel)
+{
+    SceneData data;
+    test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0), floor);
+    test::place(data, test::square(0.5f), V3d(0.0, 0.0, 1.0), test::emission(4.0f));
+    data.instances[1].visibility = panel;
+    return estimate(Scene(data, V3d(0.0)), {.max_bounces = 1}, {}, 4000);
+}
+
+TEST(Integrator, panel_lights_only_the_kinds_of_scattering_that_see_it)
+{
+    const Material rough = plain_material("BSDF_GLOSSY", {{"Roughness", V3f(0.5f)}});
+    const Visibility not_diffuse{.to_diffuse = false};
+    const Visibility not_glossy{.to_glossy = false};
+    EXPECT_EQ(below_a_panel(test::diffuse(0.5f), not_diffuse).mean, 0.0);
+    EXPECT_EQ(below_a_panel(rough, not_glossy).mean, 0.0);
+    EXPECT_EQ(below_a_panel(test::diffuse(0.5f), not_glossy).mean,
+              below_a_panel(test::diffuse(0.5f), {}).mean);
+    EXPECT_EQ(below_a_panel(rough, not_diffuse).mean, below_a_panel(rough, {}).mean);
+}
+
+// A sheet of the closure at z = -3 in a world of radiance 1, seen from the origin.
+Estimate in_a_world(const std::string& closure, const Visibility& world)
+{
+    SceneData data;
+    test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0),
+                plain_material(closure, {{"Color", V3f(0.5f)}}));
+    data.world = test::even_world(1.0f);
+    data.world_visibility = world;
+    return estimate(Scene(data, V3d(0.0)), {.max_bounces = 2}, {}, 4000);
+}
+
+TEST(Integrator, world_lights_only_the_kinds_of_scattering_that_see_it)
+{
+    expect_matches(in_a_world("BSDF_DIFFUSE", {}), 0.5);
+    EXPECT_EQ(in_a_world("BSDF_DIFFUSE", {.to_diffuse = false}).mean, 0.0);
+    expect_matches(in_a_world("BSDF_DIFFUSE", {.to_glossy = false}), 0.5);
+    expect_matches(in_a_world("BSDF_GLASS", {.to_glossy = false, .to_transmission = false}), 0.0);
+}
+
+TEST(Integrator, hidden_world_is_not_in_the_picture)
+{
+    SceneData data;
+    data.world = test::even_world(1.0f);
+    data.world_visibility.to_camera = false;
+    EXPECT_EQ(estimate(Scene(data, V3d(0.0)), {}, {}, 1).mean, 0.0);
+}
+
+// Light that a wide lobe lets pass: to a lamp or the world it is diffuse, to an object that is to
+// be seen it is transmission. Light sampling and scattered rays agree on it.
+TEST(Integrator, translucent_sheet_sees_lights_as_diffuse_and_objects_as_transmission)
+{
+    const Visibility not_diffuse{.to_diffuse = false};
+    const Visibility not_transmission{.to_transmission = false};
+    EXPECT_EQ(in_a_world("BSDF_TRANSLUCENT", not_diffuse).mean, 0.0);
+    expect_matches(in_a_world("BSDF_TRANSLUCENT", not_transmission), 0.5);
+    const auto before_a_panel = [](const Visibility& panel) {
+        SceneData data;
+        test::place(data, test::square(10.0f), V3d(0.0, 0.0, -3.0),
+                    plain_material("BSDF_TRANSLUCENT", {{"Color", V3f(0.5f)}}));
+        test::place(data, test::square(2.0f), V3d(0.0, 0.0, -4.0), test::emission(4.0f));
+        data.instances[1].visibility = panel;
+        return estimate(Scene(data, V3d(0.0)), {.max_bounces = 1}, {}, 4000).mean;
+    };
+    EXPECT_EQ(before_a_panel(not_transmission), 0.0);
+    EXPECT_EQ(before_a_panel(not_diffuse), before_a_panel({}));
+    EXPECT_GT(before_a_panel({}), 0.5);
+}
+
+TEST(Integrator, alpha_of_a_sum_of_closures_averages_to_what_is_covered)
+{
+    // All that is behind shows, and as much is mirrored: the mixture is sampled half and half.
+    NodeGraph graph;
+    const std::size_t clear = graph.add("BSDF_TRANSPARENT");
+    const std::size_t mirror = graph.add("BSDF_GLOSSY");
+    const std::size_t both = graph.add("ADD_SHADER");
+    graph.set(clear, "Color", V3f(1.0f));
+    graph.set(mirror, "Color", V3f(1.0f));
+    graph.link(both, "Shader", graph.output(clear, "BSDF"));
+    graph.link(both, "Shader_001", graph.output(mirror, "BSDF"));
+    SceneData data;
+    test::place(data, test::square(5.0f), V3d(0.0, 0.0, -3.0),
+                test::made(data, graph, graph.output(both, "Shader")));
+    const Scene scene(data, V3d(0.0));
+    const Estimate alpha = test::mean_of(4000, [&](int i) {
+        SampleSequence sequence = test::sequence_of(i);
+        return static_cast<double>(
+            trace_path(scene, {.film_transparent = true}, {}, sequence).alpha);
+    });
+    EXPECT_NEAR(alpha.mean, 0.0, 4.0 * alpha.standard_error + 1e-6);
+}
+
+TEST(Integrator, ray_length_goes_on_behind_what_is_clear)
+{
+    NodeGraph graph;
+    const std::size_t path = graph.add("LIGHT_PATH");
+    const std::size_t glow = graph.add("EMISSION");
+    graph.link(glow, "Strength", graph.output(path, "Ray Length"));
+    SceneData data;
+    test::place(data, test::square(5.0f), V3d(0.0, 0.0, -1.0), test::transparent(1.0f));
+    test::place(data, test::square(5.0f), V3d(0.0, 0.0, -2.5),
+                test::made(data, graph, graph.output(glow, "Emission")));
+    expect_matches(estimate(Scene(data, V3d(0.0)), {}, {}, 1), 2.5);
+}
+
+TEST(Integrator, length_of_a_shadow_ray_goes_on_behind_what_is_clear)
+{
+    NodeGraph graph;
+    const std::size_t path = graph.add("LIGHT_PATH");
+    const std::size_t tenth = graph.add("MATH", test::options_of({{"operation", "DIVIDE"}}));
+    const std::size_t sheet = graph.add("BSDF_TRANSPARENT");
+    graph.link(tenth, "Value", graph.output(path, "Ray Length"));
+    graph.set(tenth, "Value_001", V3f(10.0f));
+    graph.link(sheet, "Color", graph.output(tenth, "Value"));
+    SceneData data;
+    test::place(data, test::square(5.0f), V3d(0.0, 0.0, -1.0), test::transparent(1.0f));
+    test::place(data, test::square(5.0f), V3d(0.0, 0.0, -2.5),
+                test::made(data, graph, graph.output(sheet, "BSDF")));
+    const Scene scene(data, V3d(0.0));
+    // The ray goes on a little off the first sheet.
+    EXPECT_NEAR(scene.transmittance({}).x, 0.25f, 1e-5f);
 }
 
 }  // namespace

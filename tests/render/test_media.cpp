@@ -206,6 +206,16 @@ TEST(Media, light_of_a_sphere_is_scattered_once_as_the_integral_says)
     EXPECT_NEAR(found.mean, expected, 4.0 * found.standard_error + 2e-3 * expected);
 }
 
+TEST(Media, panel_and_world_that_media_do_not_see_leave_them_dark)
+{
+    SceneData data = in_white_world();
+    test::place(data, test::square(0.5f), V3d(0.0, 1.0, -2.0), test::emission(4.0f));
+    test::place(data, test::ball(1.0f, 16), V3d(0.0, 0.0, -3.0), white_mist(V3f(1.0f), 0.0f));
+    data.instances[0].visibility.to_volume_scatter = false;
+    data.world_visibility = {.to_camera = false, .to_volume_scatter = false};
+    EXPECT_EQ(estimate(Scene(data, V3d(0.0)), {.max_bounces = 4}, ahead, 2000).mean, 0.0);
+}
+
 TEST(Media, scattered_light_stops_at_the_last_bounce)
 {
     SceneData data = in_white_world();

@@ -255,7 +255,7 @@ TEST(LampNodes, lamp_hidden_from_a_kind_of_scattering_is_not_met_by_it)
     EXPECT_FALSE(meets({.is_camera = true}));
     const BsdfParts parts{
         .diffuse = Color3f(1.0f), .glossy = Color3f(2.0f), .transmission = Color3f(4.0f)};
-    EXPECT_EQ(light->visibility.seen_part(parts), Color3f(6.0f));
+    EXPECT_EQ(light->visibility.seen_part(parts, false, light->is_surface), Color3f(6.0f));
 }
 
 }  // namespace

@@ -9,14 +9,12 @@ from .image import ImageTable
 from .nodes import BACKGROUND, aov_sockets, export_sockets
 
 _BLACK = (0.0, 0.0, 0.0)
-# The outputs of Light Path that are all one for a ray of the kind. A ray through glass is glossy,
-# too.
 _RAYS = {
-    "camera": ["Is Camera Ray"],
-    "diffuse": ["Is Diffuse Ray"],
-    "glossy": ["Is Glossy Ray", "Is Reflection Ray"],
-    "transmission": ["Is Transmission Ray"],
-    "scatter": ["Is Volume Scatter Ray"],
+    "CAMERA": "camera",
+    "DIFFUSE": "diffuse",
+    "GLOSSY": "glossy",
+    "TRANSMISSION": "transmission",
+    "VOLUME_SCATTER": "scatter",
 }
 
 
@@ -33,6 +31,10 @@ def export_world(
         return
     if world.lightgroup in view_layer.lightgroups:
         core_scene.set_world_light_group(world.lightgroup)
+    seen_by = world.cycles_visibility
+    core_scene.set_world_visibility(
+        [ray for ray, name in _RAYS.items() if not getattr(seen_by, name)]
+    )
     if not compat.uses_nodes(world):
         core_scene.set_world(tuple(world.color))
         return
@@ -46,7 +48,7 @@ def export_world(
     tree = export_sockets(sockets, images, BACKGROUND, written)
     left_out = list(tree.left_out)
     surface, volume = tree.sockets
-    light = _BLACK if surface is None else _seen_by_some(tree.graph, surface, world)
+    light = _BLACK if surface is None else surface
     try:
         core_scene.set_world(light, volume, aovs=tree.values)
     except ValueError as error:  # what the core sees only when all nodes are together
@@ -54,19 +56,3 @@ def export_world(
         core_scene.set_world(tuple(world.color))
     if left_out:
         warn(f"World '{world.name}': not supported: {', '.join(left_out)}")
-
-
-def _seen_by_some(graph, surface: object, world: bpy.types.World) -> object:
-    """The surface for the rays that the world's ray visibility lets see it; black for others."""
-    for kind, outputs in _RAYS.items():
-        if getattr(world.cycles_visibility, kind):
-            continue
-        path = graph.add("LIGHT_PATH")
-        hidden = path[outputs[0]]
-        for output in outputs[1:]:
-            product = graph.add(
-                "MATH", {"Value": hidden, "Value_001": path[output]}, operation="MULTIPLY"
-            )
-            hidden = product["Value"]
-        surface = graph.add("MIX_SHADER", {"Fac": hidden, "Shader": surface})["Shader"]
-    return surface

@@ -310,3 +310,28 @@ def hidden_from_diffuse():
     shown.visible_diffuse = False
     glossy = shader("BsdfAnisotropic", {"Color": (0.8, 0.8, 0.8), "Roughness": 0.4})
     bpy.data.objects["Ball"].data.materials[0] = glossy
+
+
+def panel(**hidden_from: bool) -> bpy.types.Object:
+    """A shining mesh over a rough metal ball and the floor; `hidden_from` as Blender names it."""
+    camera()
+    floor()
+    world(DIM)
+    metal = shader("BsdfAnisotropic", {"Color": (0.9, 0.9, 0.9), "Roughness": 0.4})
+    add(dressed(ball_mesh(), metal), BALL_CENTRE, "Ball")
+    shown = add(dressed(grid_mesh(1, 1, (1.5, 1.5)), glow((1.0, 0.8, 0.6), 12.0)), (-1, -1, 2.6))
+    for name, is_hidden in hidden_from.items():
+        setattr(shown, f"visible_{name}", not is_hidden)
+    return shown
+
+
+@feature()
+def panel_hidden_from_diffuse():
+    """A shining mesh that shines on metal alone"""
+    panel(diffuse=True)
+
+
+@feature()
+def panel_hidden_from_glossy():
+    """A shining mesh that metal does not mirror"""
+    panel(glossy=True)

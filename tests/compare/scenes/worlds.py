@@ -182,6 +182,13 @@ def hidden_from_glossy():
     bpy.context.scene.world.cycles_visibility.glossy = False
 
 
+@feature()
+def hidden_from_diffuse():
+    """A world that lights no diffuse surface, but mirrors show"""
+    under(lambda tree: (0.3, 0.5, 0.9, 1))
+    bpy.context.scene.world.cycles_visibility.diffuse = False
+
+
 @feature(bounces=4, samples=512)
 def fog():
     """A world full of thin fog about a lamp"""
