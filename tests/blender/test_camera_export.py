@@ -75,6 +75,42 @@ def test_resolution_percentage_and_border(scene, export):
     assert camera.border == (2, 2, 6, 4)
 
 
+class BorderProbe(bpy.types.RenderEngine):
+    """Renders nothing; notes how wide Blender wants the picture, and how wide the border is."""
+
+    bl_idname = "BORDER_PROBE"
+    bl_label = "Border Probe"
+    widths: list[tuple[int, int]] = []
+
+    def render(self, depsgraph):
+        frame = frame_of(depsgraph.scene_eval.render)
+        result = self.begin_result(0, 0, frame.width, frame.height)
+        self.widths.append((result.resolution_x, frame.border[2] - frame.border[0]))
+        self.end_result(result)
+
+
+@pytest.fixture
+def border_probe():
+    bpy.utils.register_class(BorderProbe)
+    yield BorderProbe
+    bpy.utils.unregister_class(BorderProbe)
+    BorderProbe.widths.clear()
+
+
+@pytest.mark.parametrize("width", [1920, 1080, 1000])
+def test_a_border_at_any_pixel_is_as_wide_as_blender_has_it(scene, border_probe, width):
+    scene.render.engine = border_probe.bl_idname
+    scene.render.use_border = True
+    scene.render.use_compositing = scene.render.use_sequencer = False
+    scene.render.resolution_x, scene.render.resolution_y = width, 4
+    for pixel in range(width - 1):
+        scene.render.border_min_x = pixel / width
+        bpy.ops.render.render()
+    wanted, given = zip(*border_probe.widths, strict=True)
+    assert len(wanted) == width - 1
+    assert wanted == given
+
+
 def test_unit_scale_counts_unless_there_are_no_units(scene, export):
     scene.unit_settings.scale_length = 0.01
     assert export().metres_per_unit == pytest.approx(0.01)

@@ -23,13 +23,10 @@ def frame_of(render: bpy.types.RenderSettings) -> Frame:
     height = render.resolution_y * render.resolution_percentage // 100
     if not render.use_border:
         return Frame(width, height, None)
-    border = (
-        int(render.border_min_x * width),
-        int(render.border_min_y * height),
-        int(render.border_max_x * width),
-        int(render.border_max_y * height),
-    )
-    return Frame(width, height, border)
+    # In single precision, or the border would be off by one where the product is an integer.
+    left, right = np.float32((render.border_min_x, render.border_max_x)) * np.float32(width)
+    bottom, top = np.float32((render.border_min_y, render.border_max_y)) * np.float32(height)
+    return Frame(width, height, (int(left), int(bottom), int(right), int(top)))
 
 
 def metres_per_unit(scene: bpy.types.Scene) -> float:
