@@ -70,6 +70,11 @@ class Overrides:
 overrides = Overrides()
 
 
+def ruled(override: object, setting: object) -> object:
+    """What the command line says, where it says anything."""
+    return setting if override is None else override
+
+
 def parse(arguments: list[str]) -> Overrides:
     """Read the `--eye-…` options, as `--option value` or `--option=value`.
 

@@ -6,6 +6,8 @@ import re
 import bpy
 import numpy as np
 
+from . import cycles_settings
+
 
 def uses_nodes(datablock: bpy.types.ID) -> bool:
     """True if the node tree counts; from Blender 5.0 that of materials and worlds always does."""
@@ -40,7 +42,7 @@ def displacement_method(material: bpy.types.Material) -> str:
     """BUMP, DISPLACEMENT or BOTH."""
     if hasattr(material, "displacement_method"):  # from Blender 4.1
         return material.displacement_method
-    return getattr(getattr(material, "cycles", None), "displacement_method", "BUMP")
+    return getattr(cycles_settings.of(material), "displacement_method", "BUMP")
 
 
 def world_of(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bpy.types.World | None:
@@ -70,6 +72,12 @@ def has_soft_falloff(light: bpy.types.Light) -> bool:
     return getattr(light, "use_soft_falloff", True)
 
 
+def shadow_switch(light: bpy.types.Light) -> tuple[bpy.types.bpy_struct, str]:
+    """What says whether the lamp throws shadows: holder and name of the property."""
+    cycles = cycles_settings.of(light)  # there before Blender 4.0
+    return (cycles, "cast_shadow") if hasattr(cycles, "cast_shadow") else (light, "use_shadow")
+
+
 def draw_light_extras(layout: bpy.types.UILayout, light: bpy.types.Light) -> None:
     """Rows for what `light_factor` reads."""
     if hasattr(light, "exposure"):
@@ -83,7 +91,7 @@ def draw_light_extras(layout: bpy.types.UILayout, light: bpy.types.Light) -> Non
 
 def shutter_position(scene: bpy.types.Scene) -> str:
     """Where the frame lies in the time that the shutter is open: START, CENTER or END."""
-    for owner in (scene.render, getattr(scene, "cycles", None)):  # Blender's own since 4.2
+    for owner in (scene.render, cycles_settings.of(scene)):  # Blender's own since 4.2
         if hasattr(owner, "motion_blur_position"):
             return owner.motion_blur_position
     return "CENTER"

@@ -74,13 +74,15 @@ def require() -> ModuleType:
 
 
 @contextmanager
-def speaking() -> Iterator[ModuleType]:
-    """The native module; what it refuses becomes an EyeRenderError with the same sentence."""
+def speaking(about: str = "") -> Iterator[ModuleType]:
+    """The native module; what it refuses becomes an EyeRenderError with the same sentence, after
+    the name of what it is `about`: a part of the scene. What is about none may be an option's."""
     try:
         yield require()
     except EyeRenderError:
         raise
-    except ValueError as error:
-        raise BadValueError(str(error)) from error
-    except RuntimeError as error:
-        raise EyeRenderError(str(error)) from error
+    except (ValueError, RuntimeError) as error:
+        if about:
+            raise EyeRenderError(f"{about}: {error}") from error
+        is_bad_value = isinstance(error, ValueError)
+        raise (BadValueError if is_bad_value else EyeRenderError)(str(error)) from error

@@ -9,17 +9,24 @@ import bpy
 from . import core
 
 
-def of_scene(scene: bpy.types.Scene) -> bpy.types.PropertyGroup | None:
-    return getattr(scene, "cycles", None)
+def of(owner: bpy.types.bpy_struct) -> bpy.types.PropertyGroup | None:
+    """What a scene, a view layer or a datablock says for Cycles."""
+    return getattr(owner, "cycles", None)
 
 
-def of_layer(view_layer: bpy.types.ViewLayer) -> bpy.types.PropertyGroup | None:
-    return getattr(view_layer, "cycles", None)
+def sees_world(world: bpy.types.World, rays: str) -> bool:
+    """Whether rays of the kind ("camera", "diffuse", ...) see the world."""
+    return getattr(getattr(world, "cycles_visibility", None), rays, True)
+
+
+def is_portal(light: bpy.types.Light) -> bool:
+    """Whether the area lamp only says where the light of the world comes in."""
+    return light.type == "AREA" and getattr(of(light), "is_portal", False)
 
 
 def film(scene: bpy.types.Scene) -> dict[str, object]:
     """Keywords of `eyecore.Settings`."""
-    cycles = of_scene(scene)
+    cycles = of(scene)
     if cycles is None:
         return {}
     shows_glass = cycles.film_transparent_glass
@@ -33,7 +40,7 @@ def film(scene: bpy.types.Scene) -> dict[str, object]:
 
 def limits(scene: bpy.types.Scene):
     """`eyecore.LightPathLimits`."""
-    cycles = of_scene(scene)
+    cycles = of(scene)
     with core.speaking() as eyecore:
         if cycles is None:
             return eyecore.LightPathLimits()

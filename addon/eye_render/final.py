@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable
+from typing import NamedTuple
 
 import bpy
 import numpy as np
@@ -17,7 +18,15 @@ from .export.camera import (
     set_camera,
 )
 from .export.motion import Motion, record_motion, shutter_of
-from .observer import has_automatic_pupil, holds_pupil, make_observer, observer_arguments
+from .observer import (
+    eye_of_view,
+    focus,
+    has_automatic_pupil,
+    holds_pupil,
+    is_stereo,
+    make_observer,
+    observer_arguments,
+)
 from .session import RenderSession, make_settings
 
 SLICE_S = 0.1  # between looks at the Esc key
@@ -25,7 +34,15 @@ FIRST_PICTURE_S = 0.5  # until the picture is shown for the first time
 SLOWEST_PICTURE_S = 8.0
 PICTURE_INTERVAL_GROWTH = 1.5
 
-_EYE_OF_STEREO_VIEW = {"left": "LEFT", "right": "RIGHT"}
+
+class _Share(NamedTuple):
+    """Which of the pictures that a render consists of: each view of each layer."""
+
+    number: int  # from 0
+    count: int
+
+    def progress(self, fraction: float) -> float:
+        return (self.number + fraction) / self.count
 
 
 class _Cancelled(Exception):
@@ -60,26 +77,30 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
 
     warn = _make_warn(engine)
     view_layer = depsgraph.view_layer_eval
-    camera = engine.camera_override or depsgraph.scene_eval.camera
-    check_camera(camera)
-    settings = camera.data.eye_render
-    contradictions.check(settings, batch.overrides)
-    is_held = holds_pupil(settings, batch.overrides)
+    layers = [layer.name for layer in engine.get_result().layers]
+    views = [view.name for view in engine.get_result().views]
+    for view_name in views:
+        camera = _camera_of(engine, depsgraph, view_name)
+        check_camera(camera)
+        contradictions.check(camera.data.eye_render, batch.overrides)
     passes.add(engine, view_layer)
     try:
         engine.update_stats("", "Exporting the scene")
         core_scene, motion = _export(engine, depsgraph, warn, check_cancel)
-        camera = engine.camera_override or depsgraph.scene_eval.camera
-        known_pupil = found.first_pupil_of_render(camera.data) if is_held else None
-        for view in engine.get_result().views:
-            engine.active_view_set(view.name)
-            # One person's pupils are alike: the views share the first one's.
-            camera_poses = motion.camera_poses(view.name) if motion else []
-            known_pupil = _render_view(
-                engine, depsgraph, core_scene, camera_poses, view.name, known_pupil, warn
-            )
+        for number, view_name in enumerate(views, len(views) * layers.index(view_layer.name)):
+            camera_poses = motion.camera_poses(view_name) if motion else []
+            share = _Share(number, len(views) * len(layers))
+            _render_view(engine, depsgraph, core_scene, camera_poses, view_name, share, warn)
     except _Cancelled:
         return
+
+
+def _camera_of(
+    engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph, view_name: str
+) -> bpy.types.Object | None:
+    """The view's own camera, or the one that the view is a place of; makes the view active."""
+    engine.active_view_set(view_name)
+    return engine.camera_override or depsgraph.scene_eval.camera
 
 
 def _export(
@@ -110,31 +131,39 @@ def _render_view(
     core_scene,
     camera_poses: list[CameraPose],
     view_name: str,
-    known_pupil: found.Pupil | None,
+    share: _Share,
     warn: Callable[[str], None],
-) -> found.Pupil | None:
-    """The automatic pupil that the view was seen with, if it was."""
+) -> None:
     scene = depsgraph.scene_eval
-    camera = engine.camera_override or scene.camera
+    camera = _camera_of(engine, depsgraph, view_name)
     overrides = batch.overrides
     frame = frame_of(scene.render)
     set_camera(core_scene, engine, depsgraph, camera, frame, camera_poses)
 
     settings = camera.data.eye_render
-    eye = _EYE_OF_STEREO_VIEW.get(view_name, overrides.side or settings.eye)
+    look = found.look_of_frame(camera, scene.frame_current + scene.frame_subframe)
+    if holds_pupil(settings, overrides):
+        look.pupil = found.first_pupil_of_render(camera.data)
+    eye = eye_of_view(scene.render, view_name, settings, overrides)
     own, others = ("rx", "rx_left") if eye == "RIGHT" else ("rx_left", "rx")
-    if not view_name and getattr(overrides, own) is None and getattr(overrides, others):
+    if (
+        not is_stereo(scene.render)
+        and getattr(overrides, own) is None
+        and getattr(overrides, others)
+    ):
         option = f"--eye-{others.replace('_', '-')}"
         warn(f"{option} is not for the {eye.lower()} eye, which this picture is seen with")
     world_from_camera = np.array(engine.camera_model_matrix(camera))
+    focus_m = focus_distance_m(depsgraph, camera, world_from_camera)
     observer = make_observer(
         observer_arguments(
             settings,
             scene.eye_render,
             overrides,
             eye,
-            focus_distance_m(depsgraph, camera, world_from_camera),
-            known_pupil.diameter_mm if known_pupil else None,
+            focus_m,
+            look.pupil.diameter_mm if look.pupil else None,
+            look.centre_m,
         )
     )
     core_settings = make_settings(scene, depsgraph.view_layer_eval, overrides)
@@ -144,28 +173,37 @@ def _render_view(
         for line in session.plan_text.strip().splitlines():
             _say(line)
         where = f"frame {scene.frame_current}" + (f", view {view_name}" if view_name else "")
-        pupil = known_pupil
-        if known_pupil:
-            _say(f"pupil: {known_pupil.report}, as in {known_pupil.where}")
+        if look.pupil:
+            _say(f"pupil: {look.pupil.report}, as in {look.pupil.where}")
         else:
             _say(f"pupil: {session.pupil_report}")
             if has_automatic_pupil(settings, overrides):
-                pupil = found.pupil_by(session, where)
+                look.pupil = found.pupil_by(session, where)
         for sentence in session.warnings:
             warn(sentence)
-        facts = {**session.facts, "eye": eye.lower()}
-        if pupil:
-            facts.update(pupil.facts)
-            found.remember_pupil(camera.data, pupil)
-        found.remember_focus(camera.data, session)
+        is_first_layer = view_name not in look.facts
+        if is_first_layer:
+            look.facts[view_name] = _facts(session, look, eye)
+        if look.pupil:
+            found.remember_pupil(camera.data, look.pupil)
+        if focus(settings, overrides, focus_m) == "center":
+            look.centre_m = session.facts["focus_m"]
+            look.facts[view_name]["focus"] = "center"  # which the core is told the distance of
+            found.remember_centre(camera.data, look.centre_m)
+        facts = look.facts[view_name]
         _stamp(engine, facts, view_name)
-        _show_until_finished(engine, depsgraph, session, frame, view_name)
+        _show_until_finished(engine, depsgraph, session, frame, view_name, share)
         if session.lost_rays:
             _say(session.lost_rays)
-        if overrides.report is not None:
+        if overrides.report is not None and is_first_layer:
             number = scene.frame_current if reporting.has_other_frames(engine) else None
             _say(reporting.write_of_picture(overrides.report, observer, facts, view_name, number))
-    return pupil
+
+
+def _facts(session: RenderSession, look: found.Look, eye: str) -> dict[str, str | float]:
+    """What the file tells of the observer."""
+    of_pupil = look.pupil.facts if look.pupil else {}
+    return {**session.facts, "eye": eye.lower(), **of_pupil}
 
 
 def _stamp(engine: bpy.types.RenderEngine, facts: dict[str, str | float], view_name: str) -> None:
@@ -183,6 +221,7 @@ def _show_until_finished(
     session: RenderSession,
     frame: Frame,
     view_name: str,
+    share: _Share,
 ) -> None:
     """Pull pictures from the session at growing intervals, and the finished one at its end."""
 
@@ -198,7 +237,7 @@ def _show_until_finished(
             if is_watched and done.samples_done > 0:
                 show()
             raise _Cancelled
-        engine.update_progress(done.fraction)
+        engine.update_progress(share.progress(done.fraction))
         engine.update_stats(view_name, f"Sample {done.samples_done}/{done.samples}")
         if is_watched and time.monotonic() >= next_picture:
             show()
@@ -206,7 +245,7 @@ def _show_until_finished(
             next_picture = time.monotonic() + interval_s
     show()
     done = session.progress()
-    engine.update_progress(done.fraction)
+    engine.update_progress(share.progress(done.fraction))
     engine.update_stats(view_name, f"Sample {done.samples_done}/{done.samples}")
 
 

@@ -1,6 +1,7 @@
 """What renders found of the eye that looked: shown in panels, shared by stereo views, and held
 through an animation. Known while Blender runs, and never saved."""
 
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import bpy
@@ -41,6 +42,27 @@ def pupil_by(session: RenderSession, where: str) -> Pupil:
     )
 
 
+@dataclass
+class Look:
+    """How the eye behind a camera looks at one frame, as the first of its pictures found it: all
+    view layers and stereo views of the frame are seen by the same eye."""
+
+    pupil: Pupil | None = None  # if it is automatic
+    centre_m: float | None = None  # how far away the image centre is, if the eye looks there
+    facts: dict[str, dict[str, str | float]] = field(default_factory=dict)  # by stereo view
+
+
+# The latest frame of each camera, by its full name: (frame, what was found).
+_looks: dict[str, tuple[float, Look]] = {}
+
+
+def look_of_frame(camera: bpy.types.Object, frame: float) -> Look:
+    """What the running render has found so far of the frame; the caller adds what it finds."""
+    if _looks.get(camera.name_full, (None,))[0] != frame:
+        _looks[camera.name_full] = (frame, Look())
+    return _looks[camera.name_full][1]
+
+
 # By the full name of the camera's data: its evaluated copies share it, and undo keeps it.
 _last_pupil: dict[str, Pupil] = {}
 _first_pupil_of_render: dict[str, Pupil] = {}
@@ -62,9 +84,8 @@ def first_pupil_of_render(camera: bpy.types.Camera) -> Pupil | None:
     return _first_pupil_of_render.get(camera.name_full)
 
 
-def remember_focus(camera: bpy.types.Camera, session: RenderSession) -> None:
-    if session.facts["focus"] == "center":
-        _last_centre_m[camera.name_full] = session.facts["focus_m"]
+def remember_centre(camera: bpy.types.Camera, centre_m: float) -> None:
+    _last_centre_m[camera.name_full] = centre_m
 
 
 def last_centre_m(camera: bpy.types.Camera) -> float | None:
@@ -75,11 +96,12 @@ def last_centre_m(camera: bpy.types.Camera) -> float | None:
 @persistent
 def _render_begins(*_):
     _first_pupil_of_render.clear()
+    _looks.clear()
 
 
 @persistent
 def _file_is_left(*_):
-    for memory in (_first_pupil_of_render, _last_pupil, _last_centre_m):
+    for memory in (_first_pupil_of_render, _last_pupil, _last_centre_m, _looks):
         memory.clear()
 
 

@@ -5,17 +5,31 @@ import math
 import bpy
 
 from . import choices, core, prescription, wavefront
-from .batch import Overrides
+from .batch import Overrides, ruled
 from .core import BadValueError, EyeRenderError
+
+
+def is_stereo(render: bpy.types.RenderSettings) -> bool:
+    """Whether the camera's views are those of two eyes; views may also be cameras of their own."""
+    return render.use_multiview and render.views_format == "STEREO_3D"
+
+
+def eye_of_view(
+    render: bpy.types.RenderSettings,
+    view_name: str,
+    settings: bpy.types.PropertyGroup,
+    overrides: Overrides,
+) -> str:
+    """The eye, "RIGHT" or "LEFT", that a view of the camera with these settings is seen with."""
+    return view_name.upper() if is_stereo(render) else overrides.side or settings.eye
 
 
 def seen_eyes(
     scene: bpy.types.Scene, settings: bpy.types.PropertyGroup, overrides: Overrides
 ) -> tuple[str, ...]:
     """The eyes that a scene is rendered with: "RIGHT", "LEFT" or both."""
-    if scene.render.use_multiview:
-        return ("RIGHT", "LEFT")
-    return (overrides.side or settings.eye,)
+    views = ("right", "left") if is_stereo(scene.render) else ("",)
+    return tuple(eye_of_view(scene.render, view, settings, overrides) for view in views)
 
 
 def observer_arguments(
@@ -24,21 +38,26 @@ def observer_arguments(
     overrides: Overrides,
     eye: str,
     focus_m: float,
-    known_pupil_mm: float | None,
+    known_pupil_mm: float | None = None,
+    known_centre_m: float | None = None,
 ) -> dict[str, object]:
     """What the core's Observer with the given eye ("RIGHT" or "LEFT") is told.
 
     `focus_m` is what the eye looks at if its focus mode is DISTANCE, `known_pupil_mm` what an
-    automatic pupil was found to be before. Raises EyeRenderError.
+    automatic pupil and `known_centre_m` the distance of the image centre were found to be before.
+    Raises EyeRenderError.
     """
     pupil = _pupil(settings, overrides)
     if pupil == "auto" and known_pupil_mm is not None:
         pupil = known_pupil_mm
+    looked_at = focus(settings, overrides, focus_m)
+    if looked_at == "center" and known_centre_m is not None:
+        looked_at = known_centre_m
     with core.speaking():
         of_the_eye = eye_arguments(settings, overrides, eye)
     return {
         **of_the_eye,
-        "age_years": settings.age if overrides.age is None else overrides.age,
+        "age_years": ruled(overrides.age, settings.age),
         "amplitude_formula": settings.amplitude_formula,
         "pupil": pupil,
         "pupil_formula": settings.pupil_formula,
@@ -46,7 +65,7 @@ def observer_arguments(
         "luminance_sigma": scene_settings.luminance_sigma,
         "field_area_deg2": _field_area_deg2(settings, overrides),
         "eyes": settings.pupil_eyes,
-        "focus": focus(settings, overrides, focus_m),
+        "focus": looked_at,
     }
 
 
@@ -64,7 +83,7 @@ def eye_arguments(
     arguments = {
         "model": model.lower(),
         "rx": _own(settings, overrides, eye),
-        "vertex_mm": _ruled(overrides.vertex, settings.vertex_mm),
+        "vertex_mm": ruled(overrides.vertex, settings.vertex_mm),
         **_worn(settings, overrides, eye),
     }
     if model == "WAVEFRONT":
@@ -72,19 +91,14 @@ def eye_arguments(
     elif model in choices.SCHEMATIC_MODELS:
         zero = overrides.refraction_zero or settings.refraction_zero
         arguments["refraction_zero"] = zero.lower()
-        arguments["exact_trace"] = _ruled(overrides.exact_trace, settings.exact_trace)
+        arguments["exact_trace"] = ruled(overrides.exact_trace, settings.exact_trace)
     return arguments
-
-
-def _ruled(override: object, setting: object) -> object:
-    """What the command line says, where it says anything."""
-    return setting if override is None else override
 
 
 def focus(settings: bpy.types.PropertyGroup, overrides: Overrides, focus_m: float) -> str | float:
     """ "relaxed", "center" or metres."""
     of_file = {"RELAXED": "relaxed", "CENTER": "center", "DISTANCE": focus_m}[settings.focus_mode]
-    asked = _ruled(overrides.focus, of_file)
+    asked = ruled(overrides.focus, of_file)
     return focus_m if asked == "camera" else asked
 
 
@@ -95,7 +109,7 @@ def has_automatic_pupil(settings: bpy.types.PropertyGroup, overrides: Overrides)
 
 def holds_pupil(settings: bpy.types.PropertyGroup, overrides: Overrides) -> bool:
     """Whether the frames of an animation share the automatic pupil of the first."""
-    is_held = _ruled(overrides.pupil_hold, settings.pupil_hold)
+    is_held = ruled(overrides.pupil_hold, settings.pupil_hold)
     return is_held and has_automatic_pupil(settings, overrides)
 
 
@@ -117,18 +131,18 @@ def correction_of(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: 
 
 def worn_override(overrides: Overrides, eye: str) -> str | None:
     """ "none", "own" or a prescription; None where the command line says nothing."""
-    return overrides.worn if eye == "RIGHT" else _ruled(overrides.worn_left, overrides.worn)
+    return overrides.worn if eye == "RIGHT" else ruled(overrides.worn_left, overrides.worn)
 
 
 def _pupil(settings: bpy.types.PropertyGroup, overrides: Overrides) -> str | float:
     of_file = "auto" if settings.pupil_mode == "AUTO" else settings.pupil_mm
-    return _ruled(overrides.pupil, of_file)
+    return ruled(overrides.pupil, of_file)
 
 
 def _field_area_deg2(settings: bpy.types.PropertyGroup, overrides: Overrides) -> float | None:
     """None for the picture's own field."""
     of_file = settings.pupil_field_deg if settings.pupil_field == "FIXED" else "picture"
-    diameter_deg = _ruled(overrides.pupil_field, of_file)
+    diameter_deg = ruled(overrides.pupil_field, of_file)
     return None if diameter_deg == "picture" else math.pi / 4 * diameter_deg**2
 
 
@@ -145,7 +159,7 @@ def _worn(settings: bpy.types.PropertyGroup, overrides: Overrides, eye: str) -> 
     correction = correction_of(settings, overrides, eye)
     if correction == "NONE":
         return {}
-    is_near = _ruled(overrides.worn_part, "NEAR" if settings.worn_add else "FAR") == "NEAR"
+    is_near = ruled(overrides.worn_part, "NEAR" if settings.worn_add else "FAR") == "NEAR"
     arguments = {
         "correction": correction.lower(),
         "near_part": correction == "GLASSES" and is_near,
@@ -188,7 +202,7 @@ def _wavefront_override(overrides: Overrides, eye: str) -> wavefront.WavefrontFi
     if eye == "RIGHT":
         return overrides.wavefront
     of_left = overrides.wavefront is not None and overrides.wavefront.side == "OS"
-    return _ruled(overrides.wavefront_left, overrides.wavefront if of_left else None)
+    return ruled(overrides.wavefront_left, overrides.wavefront if of_left else None)
 
 
 def _only_of_the_other(others: wavefront.WavefrontFile, eye: str) -> str:

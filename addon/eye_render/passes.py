@@ -79,7 +79,7 @@ def switches(
 
 def _holder(view_layer: bpy.types.ViewLayer, switch: str) -> bpy.types.bpy_struct | None:
     """None for a switch of Cycles where Cycles is not enabled."""
-    holders = (view_layer, view_layer.eye_render, cycles_settings.of_layer(view_layer))
+    holders = (view_layer, view_layer.eye_render, cycles_settings.of(view_layer))
     return next((holder for holder in holders if hasattr(holder, switch)), None)
 
 

@@ -11,8 +11,9 @@ import numpy as np
 from . import batch, core
 from .core import EyeRenderError
 from .export import export_scene
-from .export.camera import check_camera, focus_distance_m, frame_of, set_camera
+from .export.camera import check_camera, focus_distance_m, frame_of, middle_matrix, set_camera
 from .observer import has_automatic_pupil, make_observer, observer_arguments, seen_eyes
+from .session import effects
 
 # The report needs the native module, without which the add-on still shows why it is missing.
 if TYPE_CHECKING:
@@ -64,13 +65,19 @@ def subjects_in(context: bpy.types.Context, warn: Callable[[str], None]) -> dict
     depsgraph = context.evaluated_depsgraph_get()
     camera = scene.camera.evaluated_get(depsgraph)
     settings = scene.camera.data.eye_render  # the evaluated ones may lag behind
-    focus_m = focus_distance_m(depsgraph, camera, np.array(camera.matrix_world))
+    focus_m = focus_distance_m(depsgraph, camera, middle_matrix(camera))
     core_scene = None
-    known_pupil_mm = None
+    known_pupil_mm = known_centre_m = None  # one person's eyes are alike and look at one thing
     subjects = {}
     for eye in seen_eyes(scene, settings, batch.overrides):
         arguments = observer_arguments(
-            settings, scene.eye_render, batch.overrides, eye, focus_m, known_pupil_mm
+            settings,
+            scene.eye_render,
+            batch.overrides,
+            eye,
+            focus_m,
+            known_pupil_mm,
+            known_centre_m,
         )
         observer = make_observer(arguments)
         if not looks_at_the_scene(arguments):
@@ -83,20 +90,15 @@ def subjects_in(context: bpy.types.Context, warn: Callable[[str], None]) -> dict
             with core.speaking() as eyecore:
                 facts = eyecore.Session(core_scene, observer, eyecore.Settings()).facts
         if has_automatic_pupil(settings, batch.overrides):
-            known_pupil_mm = facts["pupil_mm"]  # one person's pupils are alike
-        as_rendered = {"eye": eye.lower(), **_effects(scene, batch.overrides)}
-        subjects[eye] = subject_of(observer, facts | as_rendered)
+            known_pupil_mm = facts["pupil_mm"]
+        if arguments["focus"] == "center":
+            known_centre_m = facts["focus_m"]
+        elif known_centre_m is not None:
+            facts["focus"] = "center"
+        shown = effects(scene.eye_render, batch.overrides)
+        shown["chromatic"] = "yes" if shown["chromatic"] else "no"  # as a session tells it
+        subjects[eye] = subject_of(observer, facts | {"eye": eye.lower(), **shown})
     return subjects
-
-
-def _effects(scene: bpy.types.Scene, overrides: batch.Overrides) -> dict[str, str]:
-    """What a session of a render would tell of the effects that it shows."""
-    settings = scene.eye_render
-    is_chromatic = settings.chromatic if overrides.chromatic is None else overrides.chromatic
-    return {
-        "chromatic": "yes" if is_chromatic else "no",
-        "stiles_crawford": overrides.stiles_crawford or settings.stiles_crawford,
-    }
 
 
 def looks_at_the_scene(arguments: dict[str, object]) -> bool:
@@ -108,8 +110,8 @@ class _Middle:
     """Says where a camera stands as a render engine does, between its stereo views."""
 
     @staticmethod
-    def camera_model_matrix(camera: bpy.types.Object) -> object:
-        return camera.matrix_world.normalized()
+    def camera_model_matrix(camera: bpy.types.Object) -> np.ndarray:
+        return middle_matrix(camera)
 
     @staticmethod
     def camera_shift_x(camera: bpy.types.Object) -> float:

@@ -6,7 +6,7 @@ import bpy
 import numpy as np
 
 from . import choices, core, cycles_settings, passes
-from .batch import Overrides
+from .batch import Overrides, ruled
 from .core import EyeRenderError
 
 
@@ -19,23 +19,30 @@ class Progress(NamedTuple):
 def make_settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer, overrides: Overrides):
     """The core's settings."""
     settings = scene.eye_render
-    quality = overrides.quality or settings.quality
-    samples = overrides.samples or choices.QUALITY_SAMPLES.get(quality, settings.samples)
+    quality = ruled(overrides.quality, settings.quality)
+    of_quality = choices.QUALITY_SAMPLES.get(quality, settings.samples)
     with core.speaking() as eyecore:
         return eyecore.Settings(
-            samples=samples,
+            samples=ruled(overrides.samples, of_quality),
             max_bounces=settings.max_bounces,
-            seed=settings.seed if overrides.seed is None else overrides.seed,
+            seed=ruled(overrides.seed, settings.seed),
             sample_range=overrides.sample_range,
             pattern=settings.pupil_pattern,
             threads=scene.render.threads if scene.render.threads_mode == "FIXED" else 0,
             film_transparent=scene.render.film_transparent,
             limits=cycles_settings.limits(scene),
             **cycles_settings.film(scene),
-            chromatic=settings.chromatic if overrides.chromatic is None else overrides.chromatic,
-            stiles_crawford=overrides.stiles_crawford or settings.stiles_crawford,
+            **effects(settings, overrides),
             **passes.settings(scene, view_layer),
         )
+
+
+def effects(settings: bpy.types.PropertyGroup, overrides: Overrides) -> dict[str, object]:
+    """The settings of what an eye does beside blurring."""
+    return {
+        "chromatic": ruled(overrides.chromatic, settings.chromatic),
+        "stiles_crawford": ruled(overrides.stiles_crawford, settings.stiles_crawford),
+    }
 
 
 class RenderSession:
@@ -44,7 +51,7 @@ class RenderSession:
     def __init__(self, core_scene, observer, settings):
         with core.speaking() as eyecore:
             self._core = eyecore.Session(core_scene, observer, settings)
-        self._core.start()
+            self._core.start()
 
     def __enter__(self) -> "RenderSession":
         return self

@@ -1,14 +1,13 @@
 """What the panels tell of the observer's eyes as the scene stands now, without a render."""
 
-from dataclasses import replace
+import math
 from typing import NamedTuple
 
 import bpy
-import numpy as np
 
 from . import batch, core, found
 from .core import EyeRenderError
-from .export.camera import focus_distance_m
+from .export.camera import focus_distance_m, middle_matrix
 from .observer import focus, has_automatic_pupil, make_observer, observer_arguments, seen_eyes
 from .reporting import facts_of
 
@@ -47,12 +46,11 @@ def _summary_of(
             unknown.append("the pupil")
     # The graph as it is: drawing must not evaluate it anew.
     depsgraph = context.view_layer.depsgraph
-    focus_m = focus_distance_m(depsgraph, camera, np.array(camera.matrix_world))
+    focus_m = focus_distance_m(depsgraph, camera, middle_matrix(camera))
     if focus(settings, overrides, focus_m) == "center":
         centre_m = found.last_centre_m(camera.data)
         if centre_m is None:
             unknown.append("what is at the image centre")
-        overrides = replace(overrides, focus=centre_m or "relaxed")
     try:
         arguments = observer_arguments(
             settings,
@@ -61,6 +59,7 @@ def _summary_of(
             eye,
             focus_m,
             pupil.diameter_mm if pupil else settings.pupil_mm,
+            math.inf if centre_m is None else centre_m,
         )
         line, accommodation = _answer(arguments)
     except EyeRenderError as error:

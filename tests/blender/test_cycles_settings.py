@@ -52,9 +52,24 @@ def test_all_that_cycles_allows_is_allowed(scene):
     cycles_settings.limits(scene)
 
 
-def test_without_the_cycles_add_on_nothing_is_left_out():
-    class Scene:
-        pass
+WITHOUT_CYCLES = """
+import addon_utils
+addon_utils.disable("cycles")
+assert not hasattr(scene, "cycles")
+bpy.ops.object.light_add(type="AREA", location=(3, 0, 3))
+bpy.ops.object.add(type="CURVES" if hasattr(bpy.data, "hair_curves") else "EMPTY")
+bpy.ops.mesh.primitive_plane_add(location=(0, 0, -2))
+bpy.ops.object.particle_system_add()
+bpy.context.object.particle_systems[0].settings.type = "HAIR"
+scene.render.use_motion_blur = True
+for name in bpy.context.view_layer.bl_rna.properties.keys():
+    if name.startswith("use_pass_"):
+        setattr(bpy.context.view_layer, name, True)
+bpy.context.view_layer.use_pass_uv = False
+"""
 
-    assert cycles_settings.film(Scene()) == {}
-    cycles_settings.limits(Scene())
+
+def test_without_the_cycles_add_on_a_scene_is_rendered_all_the_same(run_blender, picture):
+    ended = run_blender(script=WITHOUT_CYCLES)
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    assert picture.exists()

@@ -203,6 +203,32 @@ def test_what_rays_do_not_see_of_a_lamp_goes_along(tree_lamp):
     assert exported_tree(("CAMERA", "DIFFUSE"))[0].hidden_from == ("CAMERA", "DIFFUSE")
 
 
+def test_a_portal_shines_not(scene, export):
+    assert export("AREA").kind == "AREA"
+    bpy.data.lights["Lamp"].cycles.is_portal = True
+    assert exported_lamps(bpy.data.objects["Lamp"], Matrix.Identity(4)) == ([], [])
+
+
+def test_a_lamp_throws_shadows_as_for_cycles(scene, export):
+    export("POINT")
+    light = bpy.data.lights["Lamp"]
+    if hasattr(light.cycles, "cast_shadow"):  # before Blender 4.0
+        light.cycles.cast_shadow = False
+    else:
+        light.use_shadow = False
+    ((lamp,), _) = exported_lamps(bpy.data.objects["Lamp"], Matrix.Identity(4))
+    assert not lamp.casts_shadow
+
+
+def test_a_lamp_that_the_core_refuses_is_named_and_left_out(scene, export):
+    export("POINT", energy=3e38, color=(10.0, 1.0, 1.0))
+    core_scene, warnings = core.require().Scene(), []
+    table = LightTable(core_scene, ImageTable(core_scene, 1, print), warnings.append)
+    table.add(bpy.data.objects["Lamp"], Matrix.Identity(4), ())
+    (warning,) = warnings
+    assert warning.startswith("Light 'Lamp' is left out: ")
+
+
 def test_a_lamp_of_a_kind_that_blender_does_not_know_is_named_and_left_out():
     lamp = SimpleNamespace(name="Hemi", type="")  # what Blender 3.4 makes of Collada's ambient
     lamps, (warning,) = exported_lamps(SimpleNamespace(data=lamp), Matrix.Identity(4))

@@ -105,10 +105,11 @@ def test_displacement_goes_with_the_surface(export):
     assert exported.warnings == []
 
 
-def test_displacement_of_the_surface_itself_is_named(export):
+@pytest.mark.parametrize("method", ["DISPLACEMENT", "BOTH"])
+def test_displacement_of_the_surface_itself_is_named(export, method):
     material = node_material("Rock")
     settings = material if hasattr(material, "displacement_method") else material.cycles
-    settings.displacement_method = "DISPLACEMENT"
+    settings.displacement_method = method
     surface(material, "ShaderNodeBsdfDiffuse")
     displacement = add_node(material, "ShaderNodeDisplacement")
     output = material.node_tree.get_output_node("CYCLES")

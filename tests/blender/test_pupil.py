@@ -1,13 +1,15 @@
 """The automatic pupil: what it answers to, what is told of it, and who shares it."""
 
+import json
 import math
 import re
 
 import bpy
 import pytest
-from eye_render import found
+from eye_render import final, found
 from eye_render.batch import Overrides
 from eye_render.observer import holds_pupil, observer_arguments
+from scenes import add_camera
 from test_render import file_info, wall
 
 PUPIL_LINE = re.compile(r"Eye Render: pupil: ([\d.]+) mm(.*)")
@@ -128,6 +130,84 @@ def test_stereo_views_share_the_pupil_of_the_first(automatic, tmp_path, capfd):
     assert second[1].endswith(", as in frame 1, view left")
     info = file_info(str(tmp_path / "stereo_R.exr"))
     assert pupil_in(info, ".left") == pupil_in(info, ".right")
+
+
+TWO_LAYERS = """
+camera.eye_render.pupil_mode, camera.eye_render.focus_mode = "AUTO", "CENTER"
+near = bpy.data.collections.new("Near")
+scene.collection.children.link(near)
+bpy.ops.mesh.primitive_plane_add(size=20, align="WORLD", rotation=camera_object.rotation_euler)
+wall = bpy.context.object
+wall.matrix_world = camera_object.matrix_world @ Matrix.Translation((0, 0, -0.5))
+for holder in wall.users_collection:
+    holder.objects.unlink(wall)
+near.objects.link(wall)
+scene.view_layers.new("Far").layer_collection.children["Near"].exclude = True
+scene.view_layers["Far"].use_sky = False
+"""
+
+
+def test_view_layers_are_seen_with_the_pupil_and_the_focus_of_the_first(run_blender, tmp_path):
+    script = "from mathutils import Matrix\ncamera_object = scene.camera\n" + TWO_LAYERS
+    path = tmp_path / "eye.json"
+    ended = run_blender("--", "--eye-report", str(path), script=script)
+    first, second = pupils_of(ended)
+    assert second[0] == first[0]
+    assert second[1].endswith(", as in frame 1")
+    info = file_info(str(tmp_path / "out_0001.exr"))
+    assert pupil_in(info) == float(first[0])
+    assert 'eye_render:focus: "center"' in info
+    focus_m = re.search('eye_render:focus_m: "(.*)"', info).group(1)
+    assert float(focus_m) == pytest.approx(0.5, abs=1e-3)
+    report = json.loads(path.read_text())["observer"]
+    assert report["focus_m"] == pytest.approx(0.5, abs=1e-3)
+    assert ended.stdout.count("Eye Render: report: ") == 1
+
+
+def test_progress_runs_once_through_all_views_and_layers(automatic, monkeypatch):
+    automatic.render.use_multiview = True
+    automatic.view_layers.new("Second")
+    shares = []
+    show = final._show_until_finished
+
+    def note(*arguments):
+        shares.append(arguments[-1])
+        show(*arguments)
+
+    monkeypatch.setattr(final, "_show_until_finished", note)
+    bpy.ops.render.render()
+    assert [share.progress(0.0) for share in shares] == [0.0, 0.25, 0.5, 0.75]
+    assert shares[-1].progress(1.0) == 1.0
+
+
+def test_both_eyes_look_at_what_the_first_found_at_the_centre(automatic, monkeypatch):
+    automatic.render.use_multiview = True
+    automatic.camera.data.eye_render.focus_mode = "CENTER"
+    automatic.camera.data.stereo.interocular_distance = 1.0
+    wall((1.0, 1.0, 1.0), size=1.0)  # in the left view's middle
+    told = []
+    make = final.make_observer
+    monkeypatch.setattr(final, "make_observer", lambda said: told.append(said) or make(said))
+    bpy.ops.render.render()
+    assert [said["focus"] for said in told] == ["center", pytest.approx(2.0, abs=0.01)]
+
+
+def test_views_of_named_cameras_are_each_seen_with_its_cameras_eye(automatic, tmp_path):
+    automatic.render.use_multiview = True
+    automatic.render.views_format = "MULTIVIEW"
+    automatic.render.image_settings.file_format = "OPEN_EXR"
+    automatic.render.image_settings.views_format = "INDIVIDUAL"
+    automatic.render.filepath = str(tmp_path / "views.exr")
+    automatic.camera.name = "Observer_L"
+    other = add_camera()
+    other.name = "Observer_R"
+    automatic.camera.data.eye_render.eye, other.data.eye_render.eye = "RIGHT", "LEFT"
+    other.data.eye_render.pupil_mm = 7.0
+    bpy.ops.render.render(write_still=True)
+    info = file_info(str(tmp_path / "views_L.exr"))
+    assert 'eye_render:eye.left: "right"' in info
+    assert 'eye_render:eye.right: "left"' in info
+    assert pupil_in(info, ".right") == 7.0 != pupil_in(info, ".left")
 
 
 def test_a_manual_pupil_is_no_ones_else(automatic):

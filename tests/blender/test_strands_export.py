@@ -107,3 +107,14 @@ def test_roots_know_the_uv_of_the_surface(scene, depsgraph_of):
     (curves,) = core_scene.curves
     np.testing.assert_allclose(curves.uvs[layer_name], np.tile([0.25, 0.75], (10, 1)), atol=1e-5)
     assert curves.active_uv == layer_name
+
+
+def test_the_filter_of_a_view_layer_leaves_out_surfaces_or_strands(scene, export):
+    haired(quad_mesh())
+    layer = bpy.context.view_layer
+    layer.use_solid = False
+    surfaces_off = export()
+    assert (len(surfaces_off.meshes), len(surfaces_off.curves)) == (0, 1)
+    layer.use_solid, layer.use_strand = True, False
+    strands_off = export()
+    assert (len(strands_off.meshes), len(strands_off.curves)) == (1, 0)

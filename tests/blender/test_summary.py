@@ -128,3 +128,17 @@ def test_the_near_point_is_as_far_as_the_formula_for_the_amplitude_allows(scene,
     assert "near point 0.41 m" in line(scene)
     observer.amplitude_formula = "ANDERSON"  # nothing is left at 60 years
     assert "far point 0.52 m, near point 0.52 m" in line(scene)
+
+
+def test_a_cameras_scale_does_not_count_for_its_distances(scene, observer):
+    parent, target = add_object(None), add_object(None)
+    parent.scale = (2.0, 2.0, 2.0)
+    scene.camera.parent = parent
+    target.location = (0.0, 0.0, -4.0)
+    observer.focus_mode = "DISTANCE"
+    scene.camera.data.dof.focus_object = target
+    bpy.context.view_layer.update()
+    told = line(scene)
+    assert "at 4.00 m" in told
+    subjects = reporting.subjects_in(bpy.context, print)
+    assert subjects["RIGHT"].description["focus_m"] == pytest.approx(4.0)

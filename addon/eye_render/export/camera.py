@@ -6,6 +6,7 @@ from typing import NamedTuple
 import bpy
 import numpy as np
 
+from .. import core
 from ..core import EyeRenderError
 
 
@@ -45,6 +46,11 @@ def check_camera(camera: bpy.types.Object | None) -> None:
         )
 
 
+def middle_matrix(camera: bpy.types.Object) -> np.ndarray:
+    """Where the camera stands in a render, between its stereo views: no scale counts."""
+    return np.array(camera.matrix_world.normalized())
+
+
 class CameraPose(NamedTuple):
     """As the engine's active stereo view has the camera at one time."""
 
@@ -82,14 +88,15 @@ def set_camera(
     poses = poses or [pose_of(engine, depsgraph, camera, frame)]
     middle = poses[len(poses) // 2]
     moves = any(pose.differs(middle) for pose in poses)
-    core_scene.set_camera(
-        *middle,
-        (frame.width, frame.height),
-        border=frame.border,
-        clip=(camera.data.clip_start, camera.data.clip_end),
-        metres_per_unit=metres_per_unit(depsgraph.scene_eval),
-        **({"motion": list(poses)} if moves else {}),
-    )
+    with core.speaking(f"Camera '{camera.name}'"):
+        core_scene.set_camera(
+            *middle,
+            (frame.width, frame.height),
+            border=frame.border,
+            clip=(camera.data.clip_start, camera.data.clip_end),
+            metres_per_unit=metres_per_unit(depsgraph.scene_eval),
+            **({"motion": list(poses)} if moves else {}),
+        )
 
 
 def _slope_bounds(

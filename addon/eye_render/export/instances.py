@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from .. import cryptomatte, passes
+from .. import core, cryptomatte, passes
 from .light import LightTable
 from .material import MaterialTable
 from .motion import Key, Motion, key_of, steps_of
@@ -124,7 +124,7 @@ class _Collector:
         slots = self._materials.worn_by(shown)
         steps = steps_of(shown, placer) if motion else 0
         groups = []
-        for source in sources_of(instance, self._depsgraph.scene_eval):
+        for source in sources_of(instance, self._depsgraph):
             if source.key not in self.geometries:
                 poses = motion.poses(instance, source, steps) if steps else []
                 self.geometries[source.key] = _Geometry(source, poses)
@@ -186,11 +186,12 @@ def export_instances(
     for geometry in collector.geometries.values():
         check_cancel()
         source = geometry.source
-        number = source.add(core_scene, geometry.material_ids(), reads_uvs, geometry.motion)
-        if number is None:
-            continue
-        for group in geometry.groups.values():
-            _add_group(core_scene, number, source.name, group, motion, warn)
+        with core.speaking(f"'{source.name}'"):
+            number = source.add(core_scene, geometry.material_ids(), reads_uvs, geometry.motion)
+            if number is None:
+                continue
+            for group in geometry.groups.values():
+                _add_group(core_scene, number, source.name, group, motion, warn)
 
 
 def _add_group(

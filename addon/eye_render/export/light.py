@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix, Vector
 
-from .. import compat
+from .. import compat, cycles_settings
 from .image import ImageTable
 from .nodes import EMISSION, export_sockets
 
@@ -38,23 +38,28 @@ class LightTable:
         if not np.isfinite(np.array(world_from_object)).all():
             self._warn(f"Light '{light.name}' is left out: its place or size is not finite")
             return
+        if cycles_settings.is_portal(light):
+            return
         told = {}
         if compat.uses_nodes(light):
             told["surface"] = self._surface_of(light)
             if told["surface"] is None:  # nothing that shines
                 return
-        self._core_scene.add_light(
-            shown.name,
-            light.type,
-            np.array(world_from_object),
-            tuple(_color_times_energy(light, world_from_object.to_scale())),
-            casts_shadow=light.use_shadow,
-            has_own_space=compat.LIGHTS_HAVE_OWN_SPACE,
-            hidden_from=hidden_from,
-            light_group=light_group,
-            **_shape(light),
-            **told,
-        )
+        try:
+            self._core_scene.add_light(
+                shown.name,
+                light.type,
+                np.array(world_from_object),
+                tuple(_color_times_energy(light, world_from_object.to_scale())),
+                casts_shadow=getattr(*compat.shadow_switch(light)),
+                has_own_space=compat.LIGHTS_HAVE_OWN_SPACE,
+                hidden_from=hidden_from,
+                light_group=light_group,
+                **_shape(light),
+                **told,
+            )
+        except ValueError as error:
+            self._warn(f"Light '{light.name}' is left out: {error}")
 
     def _surface_of(self, light: bpy.types.Light) -> object | None:
         if light.name_full not in self._surfaces:

@@ -109,7 +109,7 @@ def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, s
     tree = export_sockets(sockets, images, DIFFUSE, written)
     surface, displacement, volume = tree.sockets
     left_out = list(tree.left_out)
-    if displacement is not None and compat.displacement_method(material) == "DISPLACEMENT":
+    if displacement is not None and compat.displacement_method(material) != "BUMP":
         left_out.append("displacement of the surface itself (it is shown as bump)")
     return _Look(surface, displacement, volume, tree.kinds, left_out, tree.values)
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import bpy
 from mathutils import Matrix
 
-from .. import compat
+from .. import compat, cycles_settings
 from .camera import CameraPose, Frame, pose_of
 from .pose import Pose
 from .sources import TYPES, Source, sources_of
@@ -40,7 +40,7 @@ def shutter_of(
     curve.initialize()
     if any(curve.evaluate(curve.curves[0], place) < 1.0 for place in (0.0, 0.1, 0.5, 0.9, 1.0)):
         warn("The shutter's curve is not supported: it opens and closes at once")
-    if getattr(getattr(scene, "cycles", None), "rolling_shutter_type", "NONE") != "NONE":
+    if getattr(cycles_settings.of(scene), "rolling_shutter_type", "NONE") != "NONE":
         warn("A rolling shutter is not supported: all of the picture is seen at once")
     ahead = {"START": 0.5, "CENTER": 0.0, "END": -0.5}[compat.shutter_position(scene)]
     open_for = render.motion_blur_shutter
@@ -51,7 +51,7 @@ def steps_of(shown: bpy.types.Object, placer: bpy.types.Object) -> int:
     """At how many times the motion of an object is looked at; 0 for one that is not blurred."""
     steps = 1
     for owner in (shown, placer):
-        settings = getattr(owner, "cycles", None)
+        settings = cycles_settings.of(owner)
         if settings is None:
             continue
         if not settings.use_motion_blur:
@@ -73,7 +73,7 @@ def key_of(instance: bpy.types.DepsgraphObjectInstance) -> Key:
 
 
 def _may_deform(shown: bpy.types.Object, scene: bpy.types.Scene) -> bool:
-    settings = getattr(shown, "cycles", None)
+    settings = cycles_settings.of(shown)
     if settings is not None and not settings.use_deform_motion:
         return False
     # Hair, curves and points may change without a modifier of the kind.
@@ -136,7 +136,7 @@ class Motion:
             key = key_of(instance)
             matrices[key] = instance.matrix_world.copy()
             if _may_deform(shown, scene):
-                for source in sources_of(instance, scene):
+                for source in sources_of(instance, depsgraph):
                     if source.key not in by_source:
                         by_source[source.key] = source.pose()
                     poses[key, source.part] = by_source[source.key]

@@ -41,13 +41,18 @@ _OF_TYPE = {"MESH": MeshSource, "CURVES": CurvesSource, "POINTCLOUD": PointsSour
 TYPES = frozenset(_OF_TYPE)
 
 
+# The view layer's switch of what is of that type; points have none.
+_SWITCHES = {"MESH": "use_solid", "CURVES": "use_strand"}
+
+
 def sources_of(
-    instance: bpy.types.DepsgraphObjectInstance, scene: bpy.types.Scene
+    instance: bpy.types.DepsgraphObjectInstance, depsgraph: bpy.types.Depsgraph
 ) -> Iterator[Source]:
-    shown = instance.object
-    if instance.show_self:
+    """Those that the filter of the depsgraph's view layer lets through."""
+    shown, scene, layer = instance.object, depsgraph.scene_eval, depsgraph.view_layer_eval
+    if instance.show_self and getattr(layer, _SWITCHES.get(shown.type, ""), True):
         yield _OF_TYPE[shown.type](shown.data, scene)
-    if instance.show_particles:
+    if instance.show_particles and layer.use_strand:
         # Of an instance, Blender knows the strands where the object itself stands.
         bearer = instance.instance_object if instance.is_instance else shown
         for modifier in bearer.modifiers if bearer else ():

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import compat, passes
+from .. import compat, cycles_settings, passes
 from .image import ImageTable
 from .nodes import BACKGROUND, aov_sockets, export_sockets
 
@@ -26,14 +26,13 @@ def export_world(
 ) -> None:
     view_layer = depsgraph.view_layer_eval
     world = compat.world_of(depsgraph.scene_eval, view_layer)
-    if world is None:
+    if world is None or not view_layer.use_sky:
         core_scene.set_world(_BLACK)
         return
     if world.lightgroup in view_layer.lightgroups:
         core_scene.set_world_light_group(world.lightgroup)
-    seen_by = world.cycles_visibility
     core_scene.set_world_visibility(
-        [ray for ray, name in _RAYS.items() if not getattr(seen_by, name)]
+        [ray for ray, name in _RAYS.items() if not cycles_settings.sees_world(world, name)]
     )
     if not compat.uses_nodes(world):
         core_scene.set_world(tuple(world.color))

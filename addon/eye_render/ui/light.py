@@ -34,7 +34,7 @@ class EYE_RENDER_PT_light(Tab, Panel):
             if light.shape in {"RECTANGLE", "ELLIPSE"}:
                 column.prop(light, "size_y")
             column.prop(light, "spread")
-        column.prop(light, "use_shadow", text="Cast Shadow")
+        column.prop(*compat.shadow_switch(light), text="Cast Shadow")
 
 
 classes = (EYE_RENDER_PT_light,)

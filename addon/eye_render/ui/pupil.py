@@ -4,6 +4,7 @@ import bpy
 from bpy.types import Panel
 
 from .. import choices, found
+from ..observer import is_stereo
 from .tabs import CameraTab, SceneCameraTab, draw_sentence, split_column
 
 
@@ -36,7 +37,7 @@ class _Pupil:
             column.prop(scene, "luminance_sigma")
             _draw_field(column, observer)
             column.prop(observer, "pupil_hold")
-            if context.scene.render.use_multiview:
+            if is_stereo(context.scene.render):
                 column.label(text="The first stereo view decides for all", icon="INFO")
         column.prop(scene, "pupil_pattern", text="Pattern")
         pupil = found.last_pupil(self.camera(context))

@@ -31,7 +31,7 @@ class EYE_RENDER_PT_light_paths(RenderTab, Panel):
     def draw(self, context):
         column = split_column(self.layout)
         column.prop(context.scene.eye_render, "max_bounces", text="Max Bounces")
-        cycles = cycles_settings.of_scene(context.scene)
+        cycles = cycles_settings.of(context.scene)
         if cycles is None:
             return
         kinds = column.column(align=True)
@@ -57,7 +57,7 @@ class EYE_RENDER_PT_film(RenderTab, Panel):
     def draw(self, context):
         render = context.scene.render
         column = split_column(self.layout)
-        cycles = cycles_settings.of_scene(context.scene)
+        cycles = cycles_settings.of(context.scene)
         if cycles is None:
             column.prop(render, "film_transparent", text="Transparent")
             return
