@@ -6,32 +6,44 @@ import json
 import math
 import os
 import subprocess
+import sys
 import threading
 from pathlib import Path
 
 import numpy as np
 from blender_batch import BLENDER
 from measure import measure
-from page import FAILED, PASSED, Cost, Row
+from page import FAILED, NOT_IMPORTABLE, PASSED, Cost, Row, line_of
 
 HERE = Path(__file__).resolve().parent
-PREPARE = HERE.parent / "models/prepare.py"  # imports models, and gives them camera and light
+MODELS = HERE.parent / "models"
+sys.path.append(str(MODELS))
+from survey import importers  # noqa: E402
+
+PREPARE = MODELS / "prepare.py"  # imports models, and gives them camera and light
 ENGINES = ("CYCLES", "EYE_RENDER")
 SEEDS = [1, 2]
-THRESHOLD = 0.05  # of mean FLIP beyond the noise of both pictures
+THRESHOLD = 0.03  # of mean FLIP beyond the noise of both pictures
 TIMEOUT_S = 1800
+SCRIPT_FAILED = 1  # Blender's exit status when a script of ours raised
 
 
 def compare_files(options: argparse.Namespace, scratch: Path) -> list[Row]:
     files = options.files
     if options.library:
         files = [scene for library in files for scene in _scenes_of(library, scratch)]
+    endings = {path.suffix.lower() for path in files}
+    readable = set() if endings == {".blend"} else set(importers())
     rows = []
     for number, path in enumerate(files):
         folder = scratch / str(number)
         folder.mkdir()
-        row = compare_file(path.resolve(), options, folder)
-        print(f"{path}: {row.outcome} {row.reason}", flush=True)
+        row = Row(path.name, str(path.resolve()), FAILED, THRESHOLD)
+        if path.suffix.lower() in readable | {".blend"}:
+            compare_file(path.resolve(), options, folder, row)
+        else:
+            row.outcome, row.reason = NOT_IMPORTABLE, "no importer for its kind"
+        print(f"{number + 1}/{len(files)} {path}: {line_of(row)}", flush=True)
         rows.append(row)
     return rows
 
@@ -48,17 +60,24 @@ def _scenes_of(library: Path, scratch: Path) -> list[Path]:
     return sorted(folder.glob("*.blend"))
 
 
-def compare_file(path: Path, options: argparse.Namespace, folder: Path) -> Row:
-    row = Row(path.name, str(path), FAILED, THRESHOLD)
+class NotImportableError(Exception):
+    """Blender's importer refuses the file, or dies of it."""
+
+
+def compare_file(path: Path, options: argparse.Namespace, folder: Path, row: Row) -> None:
+    """Fills in the row."""
     pictures: dict[str, list[np.ndarray]] = {}
     for engine in ENGINES:
         job = {"engine": engine, "samples": options.samples or 256, "bounces": options.bounces}
         job |= {"size": options.size, "seeds": SEEDS, "folder": str(folder)}
         try:
             found, peak_mb = _render(path, job, folder)
+        except NotImportableError as error:
+            row.outcome, row.reason = NOT_IMPORTABLE, str(error)
+            return
         except RuntimeError as error:
             row.reason = f"{engine}: {error}"
-            return row
+            return
         cost = Cost(found["seconds"], peak_mb)
         if engine == "CYCLES":
             row.cycles = cost
@@ -73,7 +92,6 @@ def compare_file(path: Path, options: argparse.Namespace, folder: Path) -> Row:
     figure = row.difference.figure()
     row.outcome = PASSED if figure <= row.threshold else FAILED
     row.reason = "" if row.outcome == PASSED else f"more than {row.threshold}"
-    return row
 
 
 def noise_of_means(first: np.ndarray, second: np.ndarray) -> float:
@@ -87,15 +105,17 @@ def _render(path: Path, job: dict, folder: Path) -> tuple[dict, float]:
     """What Blender found, and the most memory that it had."""
     job_file, log = folder / "job.json", folder / f"{job['engine']}.log"
     job_file.write_text(json.dumps(job))
-    (folder / "found.json").unlink(missing_ok=True)
+    record_file = folder / "record.json"  # of PREPARE
+    for old in (folder / "found.json", record_file):
+        old.unlink(missing_ok=True)
     command = [BLENDER, "-b", "--factory-startup", "--addons", "eye_render"]
-    command += ["--python-exit-code", "1"]
+    command += ["--python-exit-code", str(SCRIPT_FAILED)]
     if path.suffix == ".blend":
         command += [str(path)]
     else:
         command += ["--python", str(PREPARE)]
     command += ["--python", str(HERE / "render_file.py"), "--"]
-    command += [str(path), str(folder / "record.json"), str(job_file)]
+    command += [str(path), str(record_file), str(job_file)]
     with log.open("w") as output:
         blender = subprocess.Popen(command, stdout=output, stderr=output)
         timer = threading.Timer(TIMEOUT_S, blender.kill)
@@ -107,6 +127,11 @@ def _render(path: Path, job: dict, folder: Path) -> tuple[dict, float]:
         timer.cancel()
     if is_late:
         raise RuntimeError(f"not done in {TIMEOUT_S} s")
+    record = json.loads(record_file.read_text()) if record_file.exists() else {"stage": ""}
+    if record["stage"] == "refused":
+        raise NotImportableError(record["why"])
+    if record["stage"] == "importing" and blender.returncode != SCRIPT_FAILED:
+        raise NotImportableError(f"its importer dies, status {blender.returncode}")
     if status or not (folder / "found.json").exists():
         lines = [line for line in log.read_text(errors="replace").splitlines() if line.strip()]
         raise RuntimeError(f"exit status {blender.returncode}: {' / '.join(lines[-3:])}")

@@ -6,6 +6,7 @@ import html
 import math
 import struct
 import zlib
+from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -14,6 +15,8 @@ from measure import Difference
 from tools.display import to_display
 
 PASSED, EXPECTED, FAILED = "ok", "differs, as expected", "FAILED"
+NOT_IMPORTABLE = "not importable here"  # Blender has no importer for the file, or it refuses
+OUTCOMES = (FAILED, EXPECTED, PASSED, NOT_IMPORTABLE)
 DIFFERENCE_GAIN = 4.0  # the page's difference pictures are brightened by this
 
 
@@ -76,9 +79,10 @@ def line_of(row: Row) -> str:
 
 
 def summary(rows: list[Row]) -> str:
-    count = {outcome: sum(row.outcome == outcome for row in rows)
-             for outcome in (PASSED, EXPECTED, FAILED)}  # fmt: skip
-    parts = ", ".join(f"{number} {outcome}" for outcome, number in count.items())
+    count = Counter(row.outcome for row in rows)
+    parts = ", ".join(f"{count[outcome]} {outcome}" for outcome in (PASSED, EXPECTED, FAILED))
+    if count[NOT_IMPORTABLE]:
+        parts += f", {count[NOT_IMPORTABLE]} {NOT_IMPORTABLE}"
     return f"{len(rows)} scenes: {parts}"
 
 
@@ -92,9 +96,12 @@ tr { border-bottom: 1px solid #ccc } img { image-rendering: pixelated; width: 19
 
 def write_page(path: Path, title: str, rows: list[Row]) -> None:
     """One file that holds its pictures; what is furthest off comes first."""
-    order = {FAILED: 0, EXPECTED: 1, PASSED: 2}
     ranked = sorted(
-        rows, key=lambda r: (order[r.outcome], -(r.difference.figure() if r.difference else 9))
+        rows,
+        key=lambda r: (
+            OUTCOMES.index(r.outcome),
+            -(r.difference.figure() if r.difference else 9),
+        ),
     )
     head = "".join(f"<th>{text}</th>" for text in (
         "scene", "Cycles", "Eye Render", f"difference × {DIFFERENCE_GAIN:.0f}", ""))  # fmt: skip

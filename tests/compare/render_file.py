@@ -14,7 +14,8 @@ import bpy
 import numpy as np
 
 HERE = Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE), str(HERE.parent)]
+sys.path[:0] = [str(HERE), str(HERE.parent), str(HERE.parent / "models")]
+import framing  # noqa: E402
 from rendering import choose_exr, render, warnings_of_eye_render  # noqa: E402
 from tools.engines import SET_UP, keep_all_light  # noqa: E402
 
@@ -23,7 +24,8 @@ def main(job: dict) -> None:
     scene = bpy.context.scene
     folder = Path(job["folder"])
     if scene.camera is None:
-        raise SystemExit("The file has no camera")
+        _, corners = framing.geometry()
+        framing.choose_camera(scene, corners)
     keep_all_light(scene)
     # The eye's pinhole has no depth of field, and what moves is told apart by scenes of its own.
     scene.camera.data.dof.use_dof = False
