@@ -229,21 +229,26 @@ TEST(Media, scattered_light_stops_at_the_last_bounce)
     }
 }
 
+// Absorbs all colours alike, as densely as the graph's output says.
+Material absorbing_by(SceneData& data, NodeGraph& graph, const NodeOutput& density)
+{
+    const std::size_t absorption = graph.add("VOLUME_ABSORPTION");
+    graph.link(absorption, "Density", density);
+    graph.set(absorption, "Color", V3f(0.0f));
+    test::SceneNames names(data);
+    return make_material("m", graph, {.volume = graph.output(absorption, "Volume")}, names);
+}
+
 // Along the middle a ramp of density absorbs as much as its mean.
 TEST(Media, volume_that_varies_is_shown_as_its_mean)
 {
     NodeGraph graph;
     const std::size_t place = graph.add("TEX_COORD");
     const std::size_t parts = graph.add("SEPXYZ");
-    const std::size_t absorption = graph.add("VOLUME_ABSORPTION");
     graph.link(parts, "Vector", graph.output(place, "Generated"));
-    graph.link(absorption, "Density", graph.output(parts, "Z"));
-    graph.set(absorption, "Color", V3f(0.0f));
     SceneData data = in_white_world();
-    test::SceneNames names(data);
-    const Material ramp =
-        make_material("ramp", graph, {.volume = graph.output(absorption, "Volume")}, names);
-    test::place(data, test::cube(0.5f), V3d(0.0, 0.0, -2.0), ramp);
+    test::place(data, test::cube(0.5f), V3d(0.0, 0.0, -2.0),
+                absorbing_by(data, graph, graph.output(parts, "Z")));
     expect_absorbed(estimate(Scene(data, V3d(0.0)), {.max_bounces = 0}, ahead, 4),
                     std::exp(-0.5 * chord(0.5)));
 }
@@ -252,13 +257,8 @@ TEST(Media, objects_of_one_material_may_differ)
 {
     NodeGraph graph;
     const std::size_t object = graph.add("OBJECT_INFO");
-    const std::size_t absorption = graph.add("VOLUME_ABSORPTION");
-    graph.link(absorption, "Density", graph.output(object, "Object Index"));
-    graph.set(absorption, "Color", V3f(0.0f));
     SceneData data = in_white_world();
-    test::SceneNames names(data);
-    const Material material =
-        make_material("m", graph, {.volume = graph.output(absorption, "Volume")}, names);
+    const Material material = absorbing_by(data, graph, graph.output(object, "Object Index"));
     test::place(data, test::cube(0.5f), V3d(0.0, 0.0, -2.0), material);
     test::place(data, test::cube(0.5f), V3d(0.0, 0.0, -4.0), material);
     data.instances[0].look.pass_index = 1.0f;

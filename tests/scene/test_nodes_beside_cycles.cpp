@@ -2,22 +2,22 @@
 // tests/data/nodes/hits.json, made by tests/tools/hit_references.py.
 
 #include "../shading/asked_node.h"
+#include "../shading/node_json.h"
 #include "../shading/scattering.h"
 #include "scene/mesh_attributes.h"
 #include "scene/scene.h"
 
 #include <gtest/gtest.h>
 
-#include <nlohmann/json.hpp>
-
 #include <fstream>
 
 namespace eye_render {
 namespace {
 
-using Json = nlohmann::json;
 using test::AnyResources;
 using test::AskedNode;
+using test::Json;
+using test::options_of;
 
 V3f vector_of(const Json& value)
 {
@@ -34,21 +34,6 @@ M44d matrix_of(const Json& rows)
         }
     }
     return m;
-}
-
-std::map<std::string, NodeOptions::Value> options_of(const Json& json)
-{
-    std::map<std::string, NodeOptions::Value> options;
-    for (const auto& [name, value] : json.items()) {
-        if (value.is_string()) {
-            options[name] = value.get<std::string>();
-        } else if (value.is_array()) {
-            options[name] = value.get<std::vector<float>>();
-        } else {
-            options[name] = value.is_boolean() ? double(value.get<bool>()) : value.get<double>();
-        }
-    }
-    return options;
 }
 
 class BesideCycles : public testing::Test {

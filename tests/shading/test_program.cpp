@@ -1,51 +1,19 @@
-// Graphs compiled to programs: what is left of them, when it is evaluated, and what it comes to.
+// Graphs compiled to programs: what is left of them, and when it is evaluated.
 
-#include "shading/program.h"
-
-#include "made_up_hit.h"
-#include "scattering.h"
+#include "program_trial.h"
 
 #include <gtest/gtest.h>
-
-#include <array>
-#include <functional>
 
 namespace eye_render {
 namespace {
 
-using test::direction_at;
+using test::add_emission;
+using test::add_mix;
+using test::emission;
 using test::GraphTrial;
 using test::MadeUpHit;
+using test::path;
 using test::up;
-
-const ShadingPoint point{.wo = direction_at(30.0), .ng = up, .ns = up};
-const PathState path;
-
-Color3f emission(const ShaderProgram& program, const MadeUpHit& hit = {})
-{
-    return program.shade({.point = point, .attributes = hit, .path = path}).emission;
-}
-
-// A shining node of this strength.
-std::size_t add_emission(GraphTrial& trial, float strength)
-{
-    const std::size_t node = trial.add("EMISSION");
-    trial.graph.set(node, "Color", V3f(1.0f));
-    trial.graph.set(node, "Strength", V3f(strength));
-    return node;
-}
-
-std::size_t add_mix(GraphTrial& trial, float factor, std::size_t first, std::size_t second)
-{
-    const std::size_t mix = trial.add("MIX_SHADER");
-    trial.graph.set(mix, "Fac", V3f(factor));
-    const auto link = [&](const char* input, std::size_t node) {
-        trial.graph.link(mix, input, {.node = node});
-    };
-    link("Shader", first);
-    link("Shader_001", second);
-    return mix;
-}
 
 TEST(Program, constants_are_computed_once_and_for_all)
 {
@@ -113,205 +81,6 @@ TEST(Program, node_is_evaluated_only_where_it_is_needed)
     hit.texel = Color4f(0.5f);
     EXPECT_EQ(emission(program, hit), Color3f(0.5f));
     EXPECT_EQ(hit.questions, 4) << "the attribute, the place and the texel";
-}
-
-TEST(Program, mix_factors_of_zero_and_one_drop_a_shader_with_all_it_reads)
-{
-    for (const float factor : {0.0f, 1.0f, -3.0f, 7.0f}) {
-        GraphTrial trial;
-        const std::size_t picture = trial.add("TEX_IMAGE", {{"texture", 0.0}});
-        const std::size_t dropped = add_emission(trial, 1.0f);
-        trial.link(dropped, "Color", picture, "Color");
-        const std::size_t kept = add_emission(trial, 2.0f);
-        const std::size_t mix = factor > 0.0f ? add_mix(trial, factor, dropped, kept)
-                                              : add_mix(trial, factor, kept, dropped);
-        const ShaderProgram program = trial.surface(mix, "Shader");
-        EXPECT_EQ(program.leaf_count(), 1u) << factor;
-        EXPECT_EQ(program.step_count(), 0u) << factor;
-        EXPECT_EQ(program.constant_emission(), Color3f(2.0f)) << factor;
-        EXPECT_TRUE(trial.resources.textures.empty()) << factor;
-    }
-}
-
-TEST(Program, nested_mixes_multiply_and_sums_add)
-{
-    GraphTrial trial;
-    const std::size_t inner =
-        add_mix(trial, 0.25f, add_emission(trial, 1.0f), add_emission(trial, 100.0f));
-    const std::size_t outer = add_mix(trial, 0.5f, inner, add_emission(trial, 10000.0f));
-    const std::size_t sum = trial.add("ADD_SHADER");
-    trial.graph.link(sum, "Shader", {.node = outer});
-    trial.graph.link(sum, "Shader_001", {.node = outer});
-    const ShaderProgram program = trial.surface(sum, "Shader");
-    EXPECT_EQ(program.leaf_count(), 6u);
-    EXPECT_EQ(emission(program), Color3f(2.0f * (0.5f * (0.75f + 25.0f) + 5000.0f)));
-}
-
-TEST(Program, factors_that_vary_multiply_too_and_stay_between_0_and_1)
-{
-    GraphTrial trial;
-    const std::size_t layer = trial.add("ATTRIBUTE", {{"attribute_name", "a"}});
-    const std::size_t inner =
-        add_mix(trial, 0.0f, add_emission(trial, 1.0f), add_emission(trial, 100.0f));
-    const std::size_t outer = add_mix(trial, 0.0f, inner, add_emission(trial, 10000.0f));
-    trial.link(inner, "Fac", layer, "Fac");
-    trial.link(outer, "Fac", layer, "Alpha");
-    const ShaderProgram program = trial.surface(outer, "Shader");
-    const auto at = [&](float inner_factor, float outer_factor) {
-        MadeUpHit hit;
-        hit.layer.value = Color4f(inner_factor, inner_factor, inner_factor, outer_factor);
-        return emission(program, hit).x;
-    };
-    EXPECT_FLOAT_EQ(at(0.25f, 0.5f), 0.5f * (0.75f + 25.0f) + 5000.0f);
-    EXPECT_FLOAT_EQ(at(-2.0f, 0.5f), 0.5f + 5000.0f);
-    EXPECT_FLOAT_EQ(at(0.25f, 9.0f), 10000.0f);
-    EXPECT_FLOAT_EQ(at(NAN, 0.5f), 0.5f + 5000.0f);
-}
-
-TEST(Program, shader_that_is_not_linked_is_nothing)
-{
-    GraphTrial trial;
-    const std::size_t mix = trial.add("MIX_SHADER");
-    trial.graph.set(mix, "Fac", V3f(0.25f));
-    trial.link(mix, "Shader_001", add_emission(trial, 4.0f), "Emission");
-    EXPECT_EQ(emission(trial.surface(mix, "Shader")), Color3f(1.0f));
-    const ShaderProgram none;
-    EXPECT_EQ(emission(none), Color3f(0.0f));
-    EXPECT_EQ(none.constant_emission(), Color3f(0.0f));
-}
-
-// What refuses says so.
-std::string refusal(const std::function<void(GraphTrial&)>& build)
-{
-    GraphTrial trial;
-    try {
-        build(trial);
-    } catch (const std::invalid_argument& error) {
-        return error.what();
-    }
-    return "";
-}
-
-TEST(Program, links_in_a_circle_are_refused_with_a_nodes_name)
-{
-    EXPECT_EQ(refusal([](GraphTrial& trial) {
-                  const std::size_t light = add_emission(trial, 1.0f);
-                  const std::size_t first = trial.add("MATH");
-                  const std::size_t second = trial.add("MATH");
-                  trial.link(first, "Value", second, "Value");
-                  trial.link(second, "Value", first, "Value");
-                  trial.link(light, "Strength", first, "Value");
-                  static_cast<void>(trial.surface(light, "Emission"));
-              }),
-              "the links of node 1 (MATH) run in a circle");
-    EXPECT_EQ(refusal([](GraphTrial& trial) {
-                  const std::size_t mix = trial.add("MIX_SHADER");
-                  trial.link(mix, "Shader", mix, "Shader");
-                  static_cast<void>(trial.surface(mix, "Shader"));
-              }),
-              "the links of node 0 (MIX_SHADER) run in a circle");
-}
-
-TEST(Program, shader_where_a_value_is_asked_for_is_refused)
-{
-    EXPECT_EQ(refusal([](GraphTrial& trial) {
-                  const std::size_t light = add_emission(trial, 1.0f);
-                  trial.link(light, "Color", trial.add("BSDF_DIFFUSE"), "BSDF");
-                  static_cast<void>(trial.surface(light, "Emission"));
-              }),
-              "BSDF_DIFFUSE is a shader; expected a value");
-}
-
-TEST(Program, more_lobes_than_a_mixture_holds_are_refused)
-{
-    const auto added = [](GraphTrial& trial, std::size_t first, std::size_t second) {
-        const std::size_t sum = trial.add("ADD_SHADER");
-        trial.graph.link(sum, "Shader", {.node = first});
-        trial.graph.link(sum, "Shader_001", {.node = second});
-        return sum;
-    };
-    // Two chains, as one would be nested too deep.
-    const auto refused = [&](int lobes) {
-        return refusal([&](GraphTrial& trial) {
-            std::array<std::size_t, 2> chains{trial.add("BSDF_DIFFUSE"),
-                                              trial.add("BSDF_DIFFUSE")};
-            for (int i = 2; i < lobes; ++i) {
-                std::size_t& chain = chains[static_cast<std::size_t>(i % 2)];
-                chain = added(trial, chain, trial.add("BSDF_DIFFUSE"));
-            }
-            static_cast<void>(trial.surface(added(trial, chains[0], chains[1]), "Shader"));
-        });
-    };
-    EXPECT_EQ(refused(Bsdf::capacity), "");
-    EXPECT_EQ(refused(Bsdf::capacity + 1), "a mix of shaders has 65 lobes; expected 0 to 64");
-}
-
-// Every level doubles the ways to the leaf: refused before they are all gone.
-TEST(Program, tree_that_doubles_at_every_level_is_refused_soon)
-{
-    const auto doubled = [](const char* closure, const char* output) {
-        return refusal([&](GraphTrial& trial) {
-            std::size_t sum = trial.add(closure);
-            std::string_view socket = output;
-            for (int i = 0; i < 40; ++i) {
-                const std::size_t more = trial.add("ADD_SHADER");
-                trial.link(more, "Shader", sum, socket);
-                trial.link(more, "Shader_001", sum, socket);
-                sum = more;
-                socket = "Shader";
-            }
-            static_cast<void>(trial.surface(sum, "Shader"));
-        });
-    };
-    EXPECT_NE(doubled("BSDF_DIFFUSE", "BSDF"), "");
-    EXPECT_NE(doubled("EMISSION", "Emission"), "");
-}
-
-TEST(Program, values_convert_as_in_blender)
-{
-    const auto strength_of = [](const char* node, const char* output, const MadeUpHit& hit) {
-        GraphTrial trial;
-        const std::size_t source = trial.add(node);
-        const std::size_t light = add_emission(trial, 0.0f);
-        trial.link(light, "Strength", source, output);
-        return emission(trial.surface(light, "Emission"), hit).x;
-    };
-    MadeUpHit hit;
-    hit.layer.value = Color4f(1.0f, 0.0f, 0.0f, 1.0f);
-    EXPECT_FLOAT_EQ(strength_of("ATTRIBUTE", "Color", hit), 0.2126f) << "a colour's luminance";
-    EXPECT_FLOAT_EQ(strength_of("ATTRIBUTE", "Vector", hit), 1.0f / 3.0f) << "a vector's mean";
-    hit.p_generated = V3f(0.1f, 0.2f, 0.6f);
-    EXPECT_FLOAT_EQ(strength_of("TEX_COORD", "Generated", hit), 0.3f);
-
-    GraphTrial trial;
-    const std::size_t light = trial.add("EMISSION");
-    trial.link(light, "Color", trial.add("ATTRIBUTE", {{"attribute_name", "a"}}), "Alpha");
-    hit.layer.value = Color4f(0.0f, 0.0f, 0.0f, 0.75f);
-    EXPECT_EQ(emission(trial.surface(light, "Emission"), hit), Color3f(0.75f))
-        << "a number fills a colour";
-}
-
-TEST(Program, constant_values_convert_as_those_of_a_hit)
-{
-    GraphTrial trial;
-    const std::size_t red = trial.add("RGB", {{"value", std::vector<float>{1.0f, 0.0f, 0.0f}}});
-    const std::size_t light = add_emission(trial, 0.0f);
-    trial.link(light, "Strength", red, "Color");
-    const ShaderProgram program = trial.surface(light, "Emission");
-    EXPECT_EQ(program.step_count(), 0u);
-    EXPECT_FLOAT_EQ(emission(program).x, 0.2126f);
-}
-
-TEST(Program, colour_that_is_linked_to_the_surface_shines)
-{
-    GraphTrial trial;
-    const std::size_t layer = trial.add("ATTRIBUTE", {{"attribute_name", "a"}});
-    const ShaderProgram program = trial.surface(layer, "Color");
-    EXPECT_TRUE(program.may_emit());
-    EXPECT_EQ(program.leaf_count(), 1u);
-    MadeUpHit hit;
-    hit.layer.value = Color4f(0.5f, 2.0f, 0.25f, 1.0f);
-    EXPECT_EQ(emission(program, hit), Color3f(0.5f, 2.0f, 0.25f));
 }
 
 TEST(Program, inputs_that_nothing_is_linked_to_read_the_hit)
@@ -389,17 +158,6 @@ TEST(Program, constant_displacement_bends_nothing_and_costs_nothing)
     const MadeUpHit hit;
     EXPECT_EQ(emission(program, hit), Color3f(1.0f));
     EXPECT_EQ(hit.questions, 0);
-}
-
-TEST(Program, holdouts_share_is_that_of_the_mix)
-{
-    GraphTrial trial;
-    const std::size_t mix = add_mix(trial, 0.75f, add_emission(trial, 4.0f), trial.add("HOLDOUT"));
-    const MadeUpHit hit;
-    const ShadedPoint shaded =
-        trial.surface(mix, "Shader").shade({.point = point, .attributes = hit, .path = path});
-    EXPECT_EQ(shaded.holdout, 0.75f);
-    EXPECT_EQ(shaded.emission, Color3f(1.0f));
 }
 
 }  // namespace
