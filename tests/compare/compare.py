@@ -3,7 +3,7 @@
 Without files: the feature scenes, in the user's Blender, against the stored pictures of Cycles
 4.3. With .blend or model files: each in Cycles and in Eye Render of the same Blender, seen by an
 emmetrope through a pinhole. Writes compare.csv and compare.html into the output folder; its exit
-status is 1 if a scene is further off than its threshold.
+status is 1 if a scene is further off than it may be, or nearer than deviations.csv says.
 """
 
 import argparse

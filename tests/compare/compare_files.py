@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 from blender_batch import BLENDER
+from deviations import FLIP_MARGIN
 from measure import measure
 from page import FAILED, NOT_IMPORTABLE, PASSED, Cost, Row, line_of
 
@@ -23,7 +24,6 @@ from survey import importers  # noqa: E402
 PREPARE = MODELS / "prepare.py"  # imports models, and gives them camera and light
 ENGINES = ("CYCLES", "EYE_RENDER")
 SEEDS = [1, 2]
-THRESHOLD = 0.03  # of mean FLIP beyond the noise of both pictures
 TIMEOUT_S = 1800
 SCRIPT_FAILED = 1  # Blender's exit status when a script of ours raised
 
@@ -38,7 +38,7 @@ def compare_files(options: argparse.Namespace, scratch: Path) -> list[Row]:
     for number, path in enumerate(files):
         folder = scratch / str(number)
         folder.mkdir()
-        row = Row(path.name, str(path.resolve()), FAILED, THRESHOLD)
+        row = Row(path.name, str(path.resolve()), FAILED, FLIP_MARGIN)
         if path.suffix.lower() in readable | {".blend"}:
             compare_file(path.resolve(), options, folder, row)
         else:
@@ -88,7 +88,7 @@ def compare_file(path: Path, options: argparse.Namespace, folder: Path, row: Row
     row.pictures = (reference, ours)
     row.noise = noise_of_means(*pictures["CYCLES"])
     row.difference = measure(reference, ours)
-    row.threshold = round(THRESHOLD + row.noise, 4)
+    row.threshold = round(FLIP_MARGIN + row.noise, 4)
     figure = row.difference.figure()
     row.outcome = PASSED if figure <= row.threshold else FAILED
     row.reason = "" if row.outcome == PASSED else f"more than {row.threshold}"
