@@ -34,6 +34,7 @@ def still_life() -> None:
     add(dressed(ball_mesh(0.2), glow), (-0.5, -1.0, 0.2))
 
 
+QUOTIENT = "light over colour: at edges a quotient of little by little"
 BEFORE_4 = "before Blender 4.0 Principled splits its light otherwise"
 
 # What it is, the view layer's switch, the pass's names from new to old, and how it is looked at.
@@ -56,15 +57,17 @@ PASSES = {
                          {"view": "SIGNED"}),
     "diffuse_direct": ("Direct diffuse light", "use_pass_diffuse_direct",
                        ("Diffuse Direct", "DiffDir"),
-                       {"samples": 512, "differs": "a quotient of little by little at edges"}),
+                       {"samples": 512, "differs": QUOTIENT}),
     "diffuse_indirect": ("Indirect diffuse light", "use_pass_diffuse_indirect",
-                         ("Diffuse Indirect", "DiffInd"), {"samples": 512}),
+                         ("Diffuse Indirect", "DiffInd"),
+                         {"samples": 512, "differs": QUOTIENT}),
     "diffuse_color": ("Diffuse colour", "use_pass_diffuse_color",
                       ("Diffuse Color", "DiffCol"), {}),
     "glossy_direct": ("Direct glossy light", "use_pass_glossy_direct",
                       ("Glossy Direct", "GlossDir"), {}),
     "glossy_indirect": ("Indirect glossy light", "use_pass_glossy_indirect",
-                        ("Glossy Indirect", "GlossInd"), {"samples": 512}),
+                        ("Glossy Indirect", "GlossInd"),
+                        {"samples": 512, "differs": QUOTIENT}),
     "glossy_color": ("Glossy colour", "use_pass_glossy_color", ("Glossy Color", "GlossCol"),
                      {"before_4": BEFORE_4}),
     "transmission_direct": ("Direct light through glass", "use_pass_transmission_direct",
