@@ -41,8 +41,9 @@ AS_CYCLES = Expected()
 def expected_of(facts: dict, version: tuple[int, ...]) -> Expected:
     """Of the scene in that Blender."""
     blender = _blender(facts, version)
-    figures = load().get((facts["name"], blender), (0.0, 0.0))
-    return Expected(*figures, reason_of(facts, blender))
+    why = reason_of(facts, blender)
+    figures = load().get((facts["name"], blender))
+    return Expected(*figures, why) if why and figures else AS_CYCLES
 
 
 def reason_of(facts: dict, blender: str) -> str:

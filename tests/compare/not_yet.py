@@ -1,5 +1,5 @@
 """What Eye Render does not show yet, and why; how far it is off stands in deviations.csv. Whoever
-builds a feature takes its scenes from here, and `run compare` says which can go."""
+builds a feature takes its scenes from both, and `run compare` says which can go."""
 
 _NO_WALK = "light that enters comes out where it entered: shown as diffuse reflection"
 
