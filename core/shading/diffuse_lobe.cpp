@@ -33,17 +33,18 @@ constexpr float half_pi = 0.5f * pi_f;
            2.0f / 3.0f * (sine / c) * (1.0f - sine * sine * sine);
 }
 
-// Share of light that leaves after one meeting.
-[[nodiscard]] float oren_nayar_albedo(const Lobe& lobe, float cosine)
+// G at grazing light: the constant 1 / a of the model is pi plus roughness times this.
+constexpr float grazing_slope_albedo = half_pi - 2.0f / 3.0f;
+
+// The share of light that does not leave after one meeting, 1 - a pi - b G, over b: written so, it
+// does not drown in roundings where the roughness, and b with it, goes to zero.
+[[nodiscard]] float oren_nayar_loss_over_b(float cosine)
 {
-    return lobe.a * pi_f + lobe.b * oren_nayar_slope_albedo(std::max(cosine, 0.0f));
+    return grazing_slope_albedo - oren_nayar_slope_albedo(std::max(cosine, 0.0f));
 }
 
 // The same, cosine-weighted over all directions.
-[[nodiscard]] float oren_nayar_mean_albedo(const Lobe& lobe)
-{
-    return lobe.a * pi_f + lobe.b * (2.0f * pi_f - 5.6f) / 3.0f;
-}
+constexpr float oren_nayar_mean_loss_over_b = grazing_slope_albedo - (2.0f * pi_f - 5.6f) / 3.0f;
 
 [[nodiscard]] BsdfValue evaluate_oren_nayar(const Lobe& lobe,
                                             const V3f& wo,
@@ -56,7 +57,7 @@ constexpr float half_pi = 0.5f * pi_f;
         t /= std::max(cos_i, cos_o);
     }
     const float once = lobe.a + lobe.b * t;
-    const float lost = 1.0f - oren_nayar_albedo(lobe, cos_i);
+    const float lost = lobe.b * oren_nayar_loss_over_b(cos_i);
     return {(lobe.weight * once + lobe.second_weight * lost) * cos_i,
             cosine_hemisphere_pdf(cos_i)};
 }
@@ -137,17 +138,18 @@ LobeAndAlbedo oren_nayar_lobe(const Color3f& weight,
 {
     Lobe lobe = plain_lobe(LobeKind::OrenNayar, weight, normal);
     lobe.smooth_normal = smooth_normal;
-    lobe.a = 1.0f / (pi_f + roughness * (half_pi - 2.0f / 3.0f));
+    lobe.a = 1.0f / (pi_f + roughness * grazing_slope_albedo);
     lobe.b = roughness * lobe.a;
 
     const Color3f tint = unit_range(color);
-    const float once = oren_nayar_albedo(lobe, normal.dot(wo));
-    const float mean_once = oren_nayar_mean_albedo(lobe);
-    const float mean_lost = 1.0f - mean_once;
+    const float loss_over_b = oren_nayar_loss_over_b(normal.dot(wo));
+    const float mean_lost = lobe.b * oren_nayar_mean_loss_over_b;
+    // What is lost on the way to wo over the mean of what is lost: b is in neither.
+    const float relative_loss = loss_over_b / oren_nayar_mean_loss_over_b;
     const Color3f again =
-        tint * tint * (mean_once / mean_lost) / (Color3f(1.0f) - tint * mean_lost) * (1.0f - once);
+        tint * tint * ((1.0f - mean_lost) * relative_loss) / (Color3f(1.0f) - tint * mean_lost);
     lobe.second_weight = weight * again * inv_pi;
-    return {lobe, weight * (Color3f(once) + again * mean_lost)};
+    return {lobe, weight * (Color3f(1.0f - lobe.b * loss_over_b) + again * mean_lost)};
 }
 
 float add_sheen(Bsdf& bsdf,

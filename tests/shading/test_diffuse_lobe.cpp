@@ -57,6 +57,24 @@ TEST(OrenNayar, becomes_lambert_as_roughness_goes)
                 1e-4f);
 }
 
+// What the light scattered more than once adds is a quotient of two losses that vanish with the
+// roughness.
+TEST(OrenNayar, is_smooth_down_to_no_roughness_at_all)
+{
+    const Color3f grey(0.6f);
+    Bsdf lambert(direction_at(60.0), up);
+    lambert.add(diffuse_lobe(grey, up, up), grey);
+    const V3f wi = direction_at(70.0, 20.0);
+    const float smooth = lambert.evaluate(wi).value.x;
+    for (const float roughness : {0.0f, 1e-9f, 1e-7f, 1e-6f, 1e-5f, 1e-4f, 1e-3f}) {
+        const Bsdf rough = oren_nayar(grey, roughness, 60.0);
+        // It grows by 1.3 of the smooth value a unit of roughness.
+        EXPECT_NEAR(rough.evaluate(wi).value.x, smooth, (2.0f * roughness + 1e-6f) * smooth)
+            << roughness;
+        EXPECT_NEAR(rough.albedo().x, 0.6f, roughness + 1e-6f) << roughness;
+    }
+}
+
 TEST(OrenNayar, is_flatter_than_lambert_against_the_light)
 {
     // The full moon: a rough ball seen from where the light is does not darken towards its rim.
