@@ -70,11 +70,11 @@ ScatteredLight sample_scattered_light(const Scene& scene,
         (path.sees_catchers_only && !light->is_of_catcher)) {
         return {};
     }
-    const float cosine = segment.direction.dot(light->wi);
+    const float turned = one_minus_cosine(segment.direction, light->wi);
     const float weight =
-        light->is_met_by_rays ? power_heuristic(light->pdf, medium.pdf(cosine)) : 1.0f;
+        light->is_met_by_rays ? power_heuristic(light->pdf, medium.pdf(turned)) : 1.0f;
     Color3f scattered = throughput * medium.transmittance(place.distance) *
-                        medium.scattered(cosine) * light->radiance *
+                        medium.scattered(turned) * light->radiance *
                         (weight / (light->pdf * place.pdf));
     if (light->casts_shadow && max_component(scattered) > 0.0f) {
         MediumStack media = segment.media;

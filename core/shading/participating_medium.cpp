@@ -8,7 +8,7 @@ namespace eye_render {
 
 namespace {
 
-// By how much of the scattered light is its own a lobe is drawn.
+// A lobe is drawn in proportion to the sum of its coefficients over the channels.
 [[nodiscard]] float importance(const Color3f& scattering)
 {
     return scattering.x + scattering.y + scattering.z;
@@ -50,11 +50,6 @@ void ParticipatingMedium::scale(float factor)
     }
 }
 
-bool ParticipatingMedium::is_clear() const
-{
-    return max_component(extinction) <= 0.0f && max_component(emission) <= 0.0f;
-}
-
 Color3f ParticipatingMedium::transmittance(float distance) const
 {
     Color3f left;
@@ -80,20 +75,20 @@ Color3f ParticipatingMedium::emitted(float distance) const
     return sum;
 }
 
-Color3f ParticipatingMedium::scattered(float cosine) const
+Color3f ParticipatingMedium::scattered(float one_minus_cos) const
 {
     Color3f sum(0.0f);
     for (const ScatteringLobe& lobe : lobes()) {
-        sum += lobe.scattering * phase_value(lobe.phase, cosine);
+        sum += lobe.scattering * phase_value(lobe.phase, one_minus_cos);
     }
     return sum;
 }
 
-float ParticipatingMedium::pdf(float cosine) const
+float ParticipatingMedium::pdf(float one_minus_cos) const
 {
     float sum = 0.0f;
     for (const ScatteringLobe& lobe : lobes()) {
-        sum += importance(lobe.scattering) * phase_pdf(lobe.phase, cosine);
+        sum += importance(lobe.scattering) * phase_pdf(lobe.phase, one_minus_cos);
     }
     return sum / importance(scattering_);
 }
@@ -106,8 +101,8 @@ PhaseSample ParticipatingMedium::sample(const V3f& direction, float u_lobe, cons
         left -= importance(lobes_[chosen++].scattering);
     }
     const V3f onward = sample_phase(lobes_[chosen].phase, direction, u);
-    const float cosine = direction.dot(onward);
-    return {onward, scattered(cosine), pdf(cosine)};
+    const float turned = one_minus_cosine(direction, onward);
+    return {onward, scattered(turned), pdf(turned)};
 }
 
 }  // namespace eye_render

@@ -37,18 +37,16 @@ public:
 
     [[nodiscard]] const Color3f& scattering() const { return scattering_; }
     [[nodiscard]] bool is_scattering() const { return lobe_count_ > 0; }
-    // True where it does nothing.
-    [[nodiscard]] bool is_clear() const;
 
     // What is left of light after so far; the distance may be infinite.
     [[nodiscard]] Color3f transmittance(float distance) const;
     // Radiance that it sends back along a ray of that length, less what it takes itself.
     [[nodiscard]] Color3f emitted(float distance) const;
 
-    // Of light that travels along one unit direction and goes on along the other: what is
+    // Of light that goes on at an angle of that 1 - cos to its direction of travel: what is
     // scattered per unit length and solid angle, and the density of `sample` there.
-    [[nodiscard]] Color3f scattered(float cosine) const;
-    [[nodiscard]] float pdf(float cosine) const;
+    [[nodiscard]] Color3f scattered(float one_minus_cos) const;
+    [[nodiscard]] float pdf(float one_minus_cos) const;
     // u_lobe and both of u in [0, 1). Only of a medium that scatters.
     [[nodiscard]] PhaseSample sample(const V3f& direction, float u_lobe, const V2f& u) const;
 

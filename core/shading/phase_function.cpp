@@ -11,43 +11,40 @@ namespace {
 
 constexpr float inverse_four_pi = 0.25f * std::numbers::inv_pi_v<float>;
 
-// Below this the inverse divides by nearly nothing, and the cosine differs from that of even
-// scattering by less than 2 |g|.
-constexpr float least_anisotropy = 1e-3f;
-
-// The inverse of the cumulative distribution of Henyey and Greenstein's cosine.
-[[nodiscard]] float sample_cosine(float g, float u)
+// 1 - cos by the inverse of Henyey and Greenstein's cumulative distribution, without its quotient
+// by g and its differences of numbers that are nearly the same: u goes from 0, straight on, to 1.
+[[nodiscard]] float sample_one_minus_cos(float g, float u)
 {
-    if (std::abs(g) < least_anisotropy) {
-        return 1.0f - 2.0f * u;
-    }
-    const float s = (1.0f - g * g) / (1.0f + g - 2.0f * g * u);
-    return std::clamp((1.0f + g * g - s * s) / (2.0f * g), -1.0f, 1.0f);
+    const float away = 1.0f - g;
+    const float q = away + 2.0f * g * (1.0f - u);
+    return std::clamp(2.0f * away * away * u * (1.0f + g * (1.0f - u)) / (q * q), 0.0f, 2.0f);
 }
 
 }  // namespace
 
-float phase_pdf(const PhaseFunction& phase, float cosine)
+float phase_pdf(const PhaseFunction& phase, float one_minus_cos)
 {
-    const float g = std::abs(phase.g) < least_anisotropy ? 0.0f : phase.g;
-    const float d = 1.0f + g * g - 2.0f * g * cosine;
-    return inverse_four_pi * (1.0f - g * g) / (d * std::sqrt(d));
+    const float away = 1.0f - phase.g;
+    const float d = away * away + 2.0f * phase.g * one_minus_cos;
+    return inverse_four_pi * away * (1.0f + phase.g) / (d * std::sqrt(d));
 }
 
-float phase_value(const PhaseFunction& phase, float cosine)
+float phase_value(const PhaseFunction& phase, float one_minus_cos)
 {
     const float g2 = phase.g * phase.g;
-    return phase_pdf(phase, cosine) * (1.0f + phase.alpha * cosine * cosine) /
+    const float cosine = 1.0f - one_minus_cos;
+    return phase_pdf(phase, one_minus_cos) * (1.0f + phase.alpha * cosine * cosine) /
            (1.0f + phase.alpha * (1.0f + 2.0f * g2) / 3.0f);
 }
 
 V3f sample_phase(const PhaseFunction& phase, const V3f& direction, const V2f& u)
 {
-    const float cosine = sample_cosine(phase.g, u.x);
-    const float sine = std::sqrt(std::max(0.0f, 1.0f - cosine * cosine));
+    const float turned = sample_one_minus_cos(phase.g, u.x);
+    const float sine = std::sqrt(turned * (2.0f - turned));
     const float azimuth = 2.0f * std::numbers::pi_v<float> * u.y;
-    return Frame(direction).world_from_local(
-        {sine * std::cos(azimuth), sine * std::sin(azimuth), cosine});
+    return Frame(direction)
+        .world_from_local({sine * std::cos(azimuth), sine * std::sin(azimuth), 1.0f - turned})
+        .normalized();
 }
 
 }  // namespace eye_render

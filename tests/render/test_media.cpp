@@ -157,8 +157,8 @@ double scattered_once(double scattering, double g, const V3d& lamp, const Fluenc
         const V3d p = along * ((i + 0.5) * step);
         const double cosine = along.dot((lamp - p).normalized());
         sum += scattering * std::exp(-scattering * (i + 0.5) * step) *
-               fluence((lamp - p).length()) * double(phase_value({.g = float(g)}, float(cosine))) *
-               step;
+               fluence((lamp - p).length()) *
+               double(phase_value({.g = float(g)}, float(1.0 - cosine))) * step;
     }
     return sum;
 }

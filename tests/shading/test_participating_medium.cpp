@@ -52,9 +52,9 @@ TEST(ParticipatingMedium, overlapping_media_add_up)
     EXPECT_EQ(both.extinction, Color3f(4.0f));
     EXPECT_EQ(both.scattering(), Color3f(2.0f, 1.0f, 1.0f));
     for (const float cosine : {-0.9f, 0.1f, 0.7f}) {
-        const Color3f sum = haze.scattered(cosine) * 2.0f + dust.scattered(cosine);
-        EXPECT_NEAR(both.scattered(cosine).x, sum.x, 1e-6f);
-        EXPECT_NEAR(both.scattered(cosine).y, sum.y, 1e-6f);
+        const Color3f sum = haze.scattered(1.0f - cosine) * 2.0f + dust.scattered(1.0f - cosine);
+        EXPECT_NEAR(both.scattered(1.0f - cosine).x, sum.x, 1e-6f);
+        EXPECT_NEAR(both.scattered(1.0f - cosine).y, sum.y, 1e-6f);
     }
 }
 
@@ -69,7 +69,7 @@ TEST(ParticipatingMedium, many_different_ones_lose_no_light)
     EXPECT_EQ(sum.scattering(), Color3f(10.0f));
     double scattered = 0.0;
     test::for_each_direction(256, 1, [&](const V3f& w, double solid_angle) {
-        scattered += double(sum.scattered(w.z).x) * solid_angle;
+        scattered += double(sum.scattered(1.0f - w.z).x) * solid_angle;
     });
     EXPECT_NEAR(scattered, 10.0, 1e-2);
 }
@@ -82,13 +82,13 @@ TEST(ParticipatingMedium, samples_know_their_value_and_density)
     const V3f along = test::direction_at(30.0);
     double density = 0.0;
     test::for_each_direction(256, 64, [&](const V3f& w, double solid_angle) {
-        density += double(medium.pdf(along.dot(w))) * solid_angle;
+        density += double(medium.pdf(one_minus_cosine(along, w))) * solid_angle;
     });
     EXPECT_NEAR(density, 1.0, 2e-3);
     for (const float u_lobe : {0.1f, 0.9f}) {
         const PhaseSample sample = medium.sample(along, u_lobe, V2f(0.3f, 0.6f));
-        EXPECT_EQ(sample.value, medium.scattered(along.dot(sample.direction)));
-        EXPECT_EQ(sample.pdf, medium.pdf(along.dot(sample.direction)));
+        EXPECT_EQ(sample.value, medium.scattered(one_minus_cosine(along, sample.direction)));
+        EXPECT_EQ(sample.pdf, medium.pdf(one_minus_cosine(along, sample.direction)));
     }
 }
 

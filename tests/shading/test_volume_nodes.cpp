@@ -41,7 +41,7 @@ TEST(VolumeNodes, scatter_takes_what_it_scatters)
         {{"Color", V3f(0.8f, 0.5f, 0.0f)}, {"Density", V3f(2.0f)}, {"Anisotropy", V3f(0.3f)}});
     EXPECT_EQ(medium.extinction, Color3f(1.6f, 1.0f, 0.0f));
     EXPECT_EQ(medium.scattering(), medium.extinction);
-    EXPECT_FLOAT_EQ(medium.scattered(0.4f).y, phase_value({.g = 0.3f}, 0.4f));
+    EXPECT_FLOAT_EQ(medium.scattered(1.0f - 0.4f).y, phase_value({.g = 0.3f}, 1.0f - 0.4f));
 }
 
 TEST(VolumeNodes, phase_functions_go_by_blenders_names)
@@ -50,12 +50,12 @@ TEST(VolumeNodes, phase_functions_go_by_blenders_names)
         return medium_of("VOLUME_SCATTER",
                          {{"Color", V3f(1.0f)}, {"Anisotropy", V3f(0.5f)}, {"Alpha", V3f(2.0f)}},
                          test::options_of({{"phase", phase}}))
-            .scattered(0.7f)
+            .scattered(1.0f - 0.7f)
             .x;
     };
-    EXPECT_FLOAT_EQ(value("HENYEY_GREENSTEIN"), phase_value({.g = 0.5f}, 0.7f));
-    EXPECT_FLOAT_EQ(value("RAYLEIGH"), phase_value({.alpha = 1.0f}, 0.7f));
-    EXPECT_FLOAT_EQ(value("DRAINE"), phase_value({.g = 0.5f, .alpha = 2.0f}, 0.7f));
+    EXPECT_FLOAT_EQ(value("HENYEY_GREENSTEIN"), phase_value({.g = 0.5f}, 1.0f - 0.7f));
+    EXPECT_FLOAT_EQ(value("RAYLEIGH"), phase_value({.alpha = 1.0f}, 1.0f - 0.7f));
+    EXPECT_FLOAT_EQ(value("DRAINE"), phase_value({.g = 0.5f, .alpha = 2.0f}, 1.0f - 0.7f));
     EXPECT_GT(value("MIE"), 0.0f);
     EXPECT_THROW(static_cast<void>(value("ISOTROPIC")), std::invalid_argument);
 }
