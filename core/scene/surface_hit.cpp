@@ -15,6 +15,9 @@ namespace {
 // largest coordinate they handle; measured on tilted planes up to 10 km wide.
 constexpr float roundings = 16.0f * 0.5f * std::numeric_limits<float>::epsilon();
 
+// How far from a round strand or ball Embree's hit may lie, by its radius.
+constexpr float search_error = 1e-3f;
+
 float largest_coordinate(const V3f& p)
 {
     return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
@@ -86,8 +89,6 @@ V3f ribbon_normal(const V3f& axis, const V3f& wo, float across)
 
 void complete(SurfaceHit& hit, const Curves& curves, const AcceleratorHit& found, const Pose& pose)
 {
-    // How far from the surface Embree's search for it may end, by the strand's radius.
-    constexpr float search_error = 1e-3f;
     const StrandPoint strand =
         strand_point(curves, strand_place(curves, found.primitive, found.u), hit.time);
     const float radius = strand.at.radius * scale_of(pose.world_from_object);
@@ -118,7 +119,8 @@ void complete(SurfaceHit& hit, const Points& points, const AcceleratorHit& found
         hit.point.ng = unit_or(normal * pose.world_from_object_normal, hit.point.wo);
     }
     hit.p_error =
-        2.0f * roundings * largest_in_world(pose, largest_coordinate(ball.center) + ball.radius);
+        2.0f * roundings * largest_in_world(pose, largest_coordinate(ball.center) + ball.radius) +
+        search_error * ball.radius * scale_of(m);
     hit.point.ns = hit.point.ng;
 }
 

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace eye_render {
 namespace {
 
@@ -95,6 +97,55 @@ TEST(SurfaceHit, corner_normals_that_cancel_fall_back_to_the_face)
     const SceneData data = one(mesh, at_two_metres(1.0));
     const Scene scene(data, V3d(0.0));
     EXPECT_EQ(scene.intersect({})->point.ns, V3f(0, 0, 1));
+}
+
+// Two walls, the gap a hundred-thousandth of their distance, on a tilt and away from the origin: a
+// ray that leaves the one does not meet it again, and does meet the other.
+TEST(SurfaceHit, rays_leave_a_wall_and_do_not_leap_the_next_at_any_scale)
+{
+    for (const double size : {1e-3, 1.0, 1e4}) {
+        for (const double away : {0.0, 1.0, 30.0}) {
+            for (const bool is_instanced : {false, true}) {
+                M44d tilted;
+                tilted.rotate(V3d(0.5, 0.3, 0.2));
+                M44d scaled;
+                scaled.setScale(V3d(size));
+                M44d to_gap;
+                to_gap.setTranslation(V3d(0.0, 0.0, 2e-5 * (1.0 + away)));
+                M44d at;
+                at.setTranslation(V3d(away, -0.5 * away, -2.0 - away) * size);
+                SceneData data = one(square(), scaled * tilted * at);
+                data.instances.push_back(data.instances[0]);
+                data.instances[1].world_from_object = to_gap * scaled * tilted * at;
+                if (!is_instanced) {
+                    data.geometries.push_back(square());
+                    data.instances[1].geometry = 1;
+                }
+                const Scene scene(data, V3d(0.0));
+                for (int i = 0; i < 500; ++i) {
+                    const float s = 0.0037f * float(i) - 0.9f;
+                    const float t = std::sin(7.0f * float(i)) * 0.9f;
+                    V3d on_wall;
+                    (scaled * tilted * at).multVecMatrix(V3d(s, t, 0.0), on_wall);
+                    V3d normal;
+                    tilted.multDirMatrix(V3d(0.0, 0.0, 1.0), normal);
+                    const V3d from = on_wall - normal * size;
+                    const auto hit =
+                        scene.intersect({.origin = V3f(from), .direction = V3f(normal)});
+                    ASSERT_TRUE(hit);
+                    V3d aslant;
+                    tilted.multDirMatrix(V3d(0.3 * s, 0.3 * t, -1.0).normalized(), aslant);
+                    EXPECT_FALSE(scene.intersect(
+                        {.origin = hit->origin_towards(V3f(aslant)), .direction = V3f(aslant)}))
+                        << size << ' ' << away << ' ' << is_instanced << ' ' << i;
+                    const auto next = scene.intersect(
+                        {.origin = hit->origin_towards(V3f(normal)), .direction = V3f(normal)});
+                    ASSERT_TRUE(next) << size << ' ' << away << ' ' << is_instanced << ' ' << i;
+                    EXPECT_NE(next->placement, hit->placement);
+                }
+            }
+        }
+    }
 }
 
 }  // namespace
