@@ -1,8 +1,10 @@
 #include "render/camera.h"
 
 #include "base/error.h"
+#include "scene/transform.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,6 +19,18 @@ V2d CameraFrame::chief_slope(const V2d& raster) const
 V2d CameraFrame::pixel_slope_size() const
 {
     return {(slope_right - slope_left) / width_px, (slope_top - slope_bottom) / height_px};
+}
+
+M44d CameraFrame::camera_from_world() const
+{
+    const std::array axes{axis_x, axis_y, axis_z, position_world};
+    M44d world_from_camera;
+    for (std::size_t row = 0; row < axes.size(); ++row) {
+        for (int i = 0; i < 3; ++i) {
+            world_from_camera[static_cast<int>(row)][i] = axes[row][i];
+        }
+    }
+    return world_from_camera.inverse();
 }
 
 void validate(const CameraFrame& frame)
@@ -83,14 +97,7 @@ CameraRay camera_ray(const CameraFrame& frame,
 ViewFrame view_frame(const CameraFrame& frame)
 {
     ViewFrame view;
-    const std::array axes{frame.axis_x, frame.axis_y, frame.axis_z};
-    for (int axis = 0; axis < 3; ++axis) {
-        const V3d& direction = axes[static_cast<std::size_t>(axis)];
-        for (int i = 0; i < 3; ++i) {
-            view.camera_from_world[i][axis] = static_cast<float>(direction[i]);
-        }
-        view.camera_from_world[3][axis] = static_cast<float>(-frame.position_world.dot(direction));
-    }
+    view.camera_from_world = to_float(frame.camera_from_world());
     view.slope_first = {static_cast<float>(frame.slope_left),
                         static_cast<float>(frame.slope_bottom)};
     view.slope_last = {static_cast<float>(frame.slope_right), static_cast<float>(frame.slope_top)};

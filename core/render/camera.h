@@ -26,7 +26,9 @@ struct PixelBounds {
 
 struct CameraFrame {
     V3d position_world{0.0};  // scene units
-    // Unit axes of the camera in the world; the camera looks along -axis_z.
+    // Unit axes of the camera in the world; the camera looks along -axis_z. Under a parent that is
+    // scaled unevenly they are not across each other: as in Cycles, rays and slopes go along the
+    // axes as they are, and the way back is by the inverse.
     V3d axis_x{1.0, 0.0, 0.0};
     V3d axis_y{0.0, 1.0, 0.0};
     V3d axis_z{0.0, 0.0, 1.0};
@@ -45,6 +47,7 @@ struct CameraFrame {
     // Slope of a raster position; pixel (0, 0) is at the lower left, its centre at (0.5, 0.5).
     [[nodiscard]] V2d chief_slope(const V2d& raster) const;
     [[nodiscard]] V2d pixel_slope_size() const;
+    [[nodiscard]] M44d camera_from_world() const;
 };
 
 // Throws std::invalid_argument for a number out of range.

@@ -10,19 +10,34 @@ namespace eye_render {
 
 namespace {
 
-// From camera to world, with a mirrored camera's z turned over.
-Imath::Quatd turn_of(const CameraFrame& frame)
+using Axes = Imath::M33d;  // one a row
+
+Axes axes_of(const CameraFrame& frame)
+{
+    const V3d& x = frame.axis_x;
+    const V3d& y = frame.axis_y;
+    const V3d& z = frame.axis_z;
+    return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+}
+
+// The axes as if they were across each other and right-handed: x as it is, y in the plane of both.
+Axes upright(const CameraFrame& frame)
 {
     const V3d& x = frame.axis_x;
     const V3d y = (frame.axis_y - x * x.dot(frame.axis_y)).normalized();
     const V3d z = x.cross(y);
-    return Imath::extractQuat(
-        M44d(x.x, x.y, x.z, 0, y.x, y.y, y.z, 0, z.x, z.y, z.z, 0, 0, 0, 0, 1));
+    return {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
 }
 
-bool is_mirrored(const CameraFrame& frame)
+Imath::Quatd turn_of(const Axes& axes)
 {
-    return frame.axis_x.cross(frame.axis_y).dot(frame.axis_z) < 0.0;
+    M44d matrix;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            matrix[i][j] = axes[i][j];
+        }
+    }
+    return Imath::extractQuat(matrix);
 }
 
 }  // namespace
@@ -30,7 +45,9 @@ bool is_mirrored(const CameraFrame& frame)
 CameraMotion::CameraMotion(std::vector<CameraFrame> poses) : poses_(std::move(poses))
 {
     for (const CameraFrame& pose : poses_) {
-        turns_.push_back(turn_of(pose));
+        const Axes turned = upright(pose);
+        turns_.push_back(turn_of(turned));
+        shears_.push_back(axes_of(pose) * turned.transposed());
     }
 }
 
@@ -45,12 +62,13 @@ CameraFrame CameraMotion::at(float time) const
     };
     CameraFrame frame = before;
     frame.position_world = between(before.position_world, after.position_world);
-    const auto axes =
+    const Axes axes =
+        between(shears_[place.step], shears_[place.step + 1]) *
         Imath::slerpShortestArc(turns_[place.step], turns_[place.step + 1], weight).toMatrix33();
     const auto axis = [&axes](int i) { return V3d(axes[i][0], axes[i][1], axes[i][2]); };
     frame.axis_x = axis(0);
     frame.axis_y = axis(1);
-    frame.axis_z = is_mirrored(before) ? -axis(2) : axis(2);
+    frame.axis_z = axis(2);
     frame.slope_left = between(before.slope_left, after.slope_left);
     frame.slope_right = between(before.slope_right, after.slope_right);
     frame.slope_bottom = between(before.slope_bottom, after.slope_bottom);

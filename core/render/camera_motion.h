@@ -4,6 +4,7 @@
 
 #include "render/camera.h"
 
+#include <Imath/ImathMatrix.h>
 #include <Imath/ImathQuat.h>
 
 #include <vector>
@@ -20,6 +21,8 @@ public:
 private:
     std::vector<CameraFrame> poses_;
     std::vector<Imath::Quatd> turns_;
+    // From axes across each other to the poses' own: one for most cameras, mirrored for some.
+    std::vector<Imath::M33d> shears_;
 };
 
 }  // namespace eye_render

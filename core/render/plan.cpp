@@ -1,8 +1,7 @@
 #include "render/plan.h"
 
 #include "render/blur_bound.h"
-
-#include <Imath/ImathBox.h>
+#include "render/nearest_depth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,50 +11,6 @@
 namespace eye_render {
 
 namespace {
-
-// Distance along the viewing axis of the nearest corner of the box, not nearer than the clipping
-// plane; infinity for a box that is behind it.
-double nearest_depth(const Imath::Box3f& box,
-                     const M44d& world_from_object,
-                     const CameraFrame& frame)
-{
-    double nearest_corner = std::numeric_limits<double>::infinity();
-    double farthest_corner = -nearest_corner;
-    for (int corner = 0; corner < 8; ++corner) {
-        const V3d p_object((corner & 1) != 0 ? box.max.x : box.min.x,
-                           (corner & 2) != 0 ? box.max.y : box.min.y,
-                           (corner & 4) != 0 ? box.max.z : box.min.z);
-        const V3d from_eye = p_object * world_from_object - frame.position_world;
-        const double depth = -from_eye.dot(frame.axis_z);
-        nearest_corner = std::min(nearest_corner, depth);
-        farthest_corner = std::max(farthest_corner, depth);
-    }
-    return farthest_corner > frame.clip_near ? std::max(nearest_corner, frame.clip_near)
-                                             : std::numeric_limits<double>::infinity();
-}
-
-// Of the nearest thing in front of the eye; infinity when there is nothing. Boxes stand for
-// geometries, so it is a lower bound; what moves is looked at in all of its known places.
-double nearest_depth(const SceneData& scene, const CameraFrame& frame)
-{
-    std::vector<Imath::Box3f> bounds;
-    bounds.reserve(scene.geometries.size());
-    for (const Geometry& geometry : scene.geometries) {
-        bounds.push_back(bounds_of(geometry));
-    }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const InstanceData& instance : scene.instances) {
-        const Imath::Box3f& box = bounds[instance.geometry];
-        if (box.isEmpty()) {
-            continue;
-        }
-        nearest = std::min(nearest, nearest_depth(box, instance.world_from_object, frame));
-        for (const M44d& place : instance.motion) {
-            nearest = std::min(nearest, nearest_depth(box, place, frame));
-        }
-    }
-    return nearest;
-}
 
 // Blur diameter in pixels.
 double largest_blur_px(const SceneData& scene,

@@ -17,7 +17,8 @@ struct RenderPlan {
     std::size_t strands = 0;
     std::size_t points = 0;
     std::size_t placements = 0;
-    // Or strands or points: placed more than once, so built once and referred to.
+    // Meshes, sets of strands or clouds of points that are placed more than once: built once, and
+    // referred to from each place.
     std::size_t instanced_meshes = 0;
     std::size_t images = 0;              // 0: OpenImageIO is not started
     std::vector<std::string> uv_layers;  // read by some material; "" is a mesh's first layer
@@ -30,7 +31,7 @@ struct RenderPlan {
     bool environment_table = false;    // the world differs by direction: importance sampled
     bool transparent_shadows = false;  // shadow rays must look at materials
     std::size_t filled_objects = 0;    // with a medium inside
-    bool filled_world = false;         // none of both: rays do not look after what they are in
+    bool filled_world = false;         // a medium fills the world. Without media, paths keep none
     double largest_blur_px = 0.0;      // an upper bound over everything in view
     bool lens = false;                 // false: one ray through the pupil's centre serves
     bool chromatic = false;            // a wavelength for each path, if there is blur to show it

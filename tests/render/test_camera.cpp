@@ -50,5 +50,32 @@ TEST(Camera, clipping_planes_are_perpendicular_to_the_axis)
     EXPECT_NEAR(ray.ray.t_max, 10.0 * std::sqrt(2.0), 1e-5);
 }
 
+// A camera under a parent that is scaled unevenly: its axes are unit, but not across each other.
+CameraFrame sheared()
+{
+    CameraFrame frame = test::frame(64, 0.5);
+    frame.position_world = V3d(3.0, -1.0, 2.0);
+    frame.axis_x = V3d(1.0, 0.2, 0.0).normalized();
+    frame.axis_y = V3d(0.3, 1.0, 0.1).normalized();
+    frame.axis_z = V3d(-0.2, 0.3, 1.0).normalized();
+    return frame;
+}
+
+// What Window coordinates say of a place is where the camera shows it.
+TEST(Camera, nodes_see_a_sheared_camera_as_its_rays_do)
+{
+    const CameraFrame frame = sheared();
+    const auto eye = make_eye({.model = EyeModelKind::Pinhole});
+    for (const V2d& slope : {V2d(0.0), V2d(0.4, -0.3), V2d(-0.2, 0.5)}) {
+        const CameraRay seen = camera_ray(frame, *eye, slope, V2d(0.0));
+        const V3d p_world = frame.position_world + V3d(seen.ray.direction) * 5.0;
+        V3f p_camera;
+        view_frame(frame).camera_from_world.multVecMatrix(V3f(p_world), p_camera);
+        EXPECT_NEAR(p_camera.x / -p_camera.z, slope.x, 1e-5);
+        EXPECT_NEAR(p_camera.y / -p_camera.z, slope.y, 1e-5);
+        EXPECT_NEAR(-p_camera.z, seen.depth(5.0), 1e-5);
+    }
+}
+
 }  // namespace
 }  // namespace eye_render

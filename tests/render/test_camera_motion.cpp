@@ -60,6 +60,17 @@ TEST(CameraMotion, a_mirrored_camera_stays_mirrored)
     expect_near(motion.at(0.5f).axis_x, mirrored.axis_x);
 }
 
+TEST(CameraMotion, a_sheared_camera_stays_sheared)
+{
+    CameraFrame sheared = pose({0, 0, 0}, 0.3);
+    sheared.axis_y = V3d(0.3, 1.0, 0.1).normalized();
+    sheared.axis_z = V3d(-0.2, 0.3, 1.0).normalized();
+    const CameraMotion motion({sheared, sheared});
+    expect_near(motion.at(0.5f).axis_x, sheared.axis_x);
+    expect_near(motion.at(0.5f).axis_y, sheared.axis_y);
+    expect_near(motion.at(0.5f).axis_z, sheared.axis_z);
+}
+
 TEST(CameraMotion, zooms_by_the_slope)
 {
     const CameraMotion motion({pose(V3d(0.0), 0.0, 0.2), pose(V3d(0.0), 0.0, 0.6)});

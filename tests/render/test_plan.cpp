@@ -60,6 +60,26 @@ TEST(Plan, blur_below_a_pixel_needs_no_lens)
 
 // Strong plus glasses magnify, so a pixel spans less of the object: what they blur counts for
 // more.
+TEST(Plan, lamps_that_the_camera_sees_may_be_blurred)
+{
+    SceneData data;
+    test::place(data, test::square(1.0f), V3d(0, 0, -50.0), test::diffuse(0.5f));
+    LampData lamp = test::point_lamp(V3d(0.0, 0.0, -0.3), 1.0f);
+    lamp.settings.kind = LampKind::Area;
+    lamp.settings.size_x = lamp.settings.size_y = 0.01f;
+    data.lamps.push_back(lamp);
+    EXPECT_FALSE(plan_for(data, 0.0).lens) << "not seen";
+    data.lamps[0].settings.visibility.to_camera = true;
+    EXPECT_NEAR(plan_for(data, 0.0).largest_blur_px, 0.004 / 0.3 / (0.4 / 256), 1e-6);
+    data.lamps[0].settings.kind = LampKind::Point;
+    data.lamps[0].settings.radius = 0.1f;
+    data.lamps[0].world_from_light.setScale(V3d(7.0));  // which leaves radii alone
+    data.lamps[0].world_from_light[3][2] = -0.3;
+    EXPECT_NEAR(plan_for(data, 0.0).largest_blur_px, 0.004 / 0.2 / (0.4 / 256), 1e-5);
+    data.lamps[0].settings.radius = 0.0f;
+    EXPECT_FALSE(plan_for(data, 0.0).lens) << "nothing to be seen";
+}
+
 TEST(Plan, blur_is_counted_in_the_pictures_own_slopes_behind_glasses)
 {
     SceneData data;
