@@ -29,20 +29,6 @@ std::string said_name(const Geometry& geometry)
     return std::string(kinds.at(geometry.index())) + " '" + name_of(geometry) + "'";
 }
 
-// The sun of a sky that is laid out as the world is; one that is turned by other nodes is found by
-// sampling alone.
-std::optional<SunDisc> sun_above(const NodeGraph& graph)
-{
-    for (std::size_t i = 0; i < graph.size(); ++i) {
-        const NodeGraph::Node& node = graph.node(i);
-        if (node.type->name == "TEX_SKY" &&
-            std::holds_alternative<std::monostate>(node.inputs.front())) {
-            return sun_disc(node.options);
-        }
-    }
-    return std::nullopt;
-}
-
 std::vector<std::string> pick(const std::vector<std::string>& names,
                               const std::vector<int>& layers)
 {
@@ -165,7 +151,7 @@ void SceneBuilder::set_world(const NodeGraph& graph,
     SceneResources resources(data_);
     data_.world = make_material("world", graph, outputs, resources, numbered(aovs));
     warn_of_variation("world", data_.world.volume);
-    data_.world_sun = sun_above(graph);
+    data_.world_sun = outputs.surface ? sun_shown(graph, *outputs.surface) : std::nullopt;
 }
 
 std::vector<AovOutput> SceneBuilder::numbered(const AovsByName& aovs)

@@ -30,19 +30,35 @@ std::size_t index_of(const char* what,
 // Of no scene yet: whatever a node names is there.
 class AnyResources final : public NodeResources {
 public:
-    [[nodiscard]] int uv_layer(const std::string& /*name*/) override { return 0; }
-    [[nodiscard]] int attribute(const std::string& /*name*/) override { return 0; }
-    void require_texture(int /*texture*/) override {}
+    [[nodiscard]] int uv_layer(const std::string& /*name*/) override { return asked(); }
+    [[nodiscard]] int attribute(const std::string& /*name*/) override { return asked(); }
+    void require_texture(int /*texture*/) override { asked(); }
+
+    [[nodiscard]] bool was_asked() const { return was_asked_; }
+
+private:
+    int asked()
+    {
+        was_asked_ = true;
+        return 0;
+    }
+
+    bool was_asked_ = false;
 };
 
-// Makes the node once, so that a value out of an option's range is refused where it is said.
-void require_makeable(const NodeType& type, const NodeOptions& options)
+// Makes the node, so that a value out of an option's range is refused where it is said, and keeps
+// it where every scene makes the same: a sky's table, a profile's text are work.
+void make(NodeGraph::Node& node)
 {
     AnyResources any;
-    if (type.make_value != nullptr) {
-        static_cast<void>(type.make_value(options, any));
-    } else if (type.make_closure != nullptr) {
-        static_cast<void>(type.make_closure(options, any));
+    if (node.type->make_value != nullptr) {
+        node.value = node.type->make_value(node.options, any);
+    } else if (node.type->make_closure != nullptr) {
+        node.closure = node.type->make_closure(node.options, any);
+    }
+    if (any.was_asked()) {
+        node.value = nullptr;
+        node.closure = nullptr;
     }
 }
 
@@ -70,11 +86,22 @@ std::size_t NodeGraph::add(std::string_view type, NodeOptions options)
     for (const auto& [name, value] : options.values()) {
         static_cast<void>(index_of("option", name, found->options, *found, itself));
     }
-    require_makeable(*found, options);
-    nodes_.push_back({.type = found,
-                      .options = std::move(options),
-                      .inputs = std::vector<Source>(found->inputs.size())});
+    Node node{.type = found,
+              .options = std::move(options),
+              .inputs = std::vector<Source>(found->inputs.size())};
+    make(node);
+    nodes_.push_back(std::move(node));
     return nodes_.size() - 1;
+}
+
+std::shared_ptr<const ValueNode> NodeGraph::Node::made_value(NodeResources& resources) const
+{
+    return value ? value : type->make_value(options, resources);
+}
+
+std::shared_ptr<const ClosureNode> NodeGraph::Node::made_closure(NodeResources& resources) const
+{
+    return closure ? closure : type->make_closure(options, resources);
 }
 
 const NodeGraph::Node& NodeGraph::checked(std::size_t node) const
@@ -113,6 +140,32 @@ void NodeGraph::link(std::size_t node, std::string_view input_identifier, const 
                                     std::to_string(type.outputs.size()));
     }
     input(node, input_identifier) = from;
+}
+
+std::vector<std::size_t> NodeGraph::reached_from(const NodeOutput& output) const
+{
+    std::vector<bool> is_reached(nodes_.size(), false);
+    std::vector<std::size_t> to_follow{output.node};
+    while (!to_follow.empty()) {
+        const std::size_t number = to_follow.back();
+        to_follow.pop_back();
+        if (is_reached[number]) {
+            continue;
+        }
+        is_reached[number] = true;
+        for (const Source& source : nodes_[number].inputs) {
+            if (const auto* from = std::get_if<NodeOutput>(&source)) {
+                to_follow.push_back(from->node);
+            }
+        }
+    }
+    std::vector<std::size_t> numbers;
+    for (std::size_t i = 0; i < is_reached.size(); ++i) {
+        if (is_reached[i]) {
+            numbers.push_back(i);
+        }
+    }
+    return numbers;
 }
 
 NodeOutput NodeGraph::output(std::size_t node, std::string_view output) const

@@ -5,6 +5,7 @@
 
 #include "shading/node.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -26,6 +27,15 @@ public:
         const NodeType* type = nullptr;
         NodeOptions options;
         std::vector<Source> inputs;  // one a socket of the type
+        // As checked when it was added, where nothing of a scene is in it; the one that fits the
+        // role, or none.
+        std::shared_ptr<const ValueNode> value{};
+        std::shared_ptr<const ClosureNode> closure{};
+
+        // For a scene; throw std::invalid_argument for a texture that it does not have.
+        [[nodiscard]] std::shared_ptr<const ValueNode> made_value(NodeResources& resources) const;
+        [[nodiscard]] std::shared_ptr<const ClosureNode> made_closure(
+            NodeResources& resources) const;
     };
 
     // Returns the node's number. Throws std::invalid_argument for a kind or an option that does
@@ -39,6 +49,9 @@ public:
 
     [[nodiscard]] const Node& node(std::size_t number) const { return nodes_[number]; }
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    // The numbers, ascending, of the nodes that the output may depend on: its own, and what is
+    // linked to their inputs.
+    [[nodiscard]] std::vector<std::size_t> reached_from(const NodeOutput& output) const;
 
 private:
     [[nodiscard]] const Node& checked(std::size_t node) const;

@@ -6,6 +6,7 @@
 #include "shading/participating_medium.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace eye_render {
 
@@ -25,6 +26,11 @@ namespace {
         return unit_or(normal_to_object(hit.attributes.object(), hit.point.wo), hit.point.wo);
     default: return NodeValue(0.0f);
     }
+}
+
+[[nodiscard]] Hit at(const ShadingPoint& point, const Hit& hit)
+{
+    return {.point = point, .attributes = hit.attributes, .path = hit.path, .probe = hit.probe};
 }
 
 }  // namespace
@@ -94,34 +100,38 @@ void ProgramRun::evaluate(int number)
 {
     const ProgramStep& step = steps_[static_cast<std::size_t>(number)];
     states_[number] = StepState::Done;
-    step.node->evaluate(NodeInputs(*this, step),
-                        {values_ + step.first_value, static_cast<std::size_t>(step.value_count)});
+    std::array<NodeValue, ProgramStep::most_outputs> outputs;
+    step.node->evaluate(NodeInputs(*this, step), {outputs.data(), step.output_count});
+    for (const ProgramStep::Wanted& wanted : step.wanted) {
+        values_[wanted.value] = outputs[wanted.output];
+    }
 }
 
-V3f ShaderProgram::displaced_normal(const Hit& hit) const
+ShadingPoint ShaderProgram::displaced(const Hit& hit) const
 {
+    ShadingPoint point = hit.point;
+    if (!has_displacement_) {
+        return point;
+    }
     ProgramRun here(steps_, value_count_, hit);
     const auto offsets = bump_offsets(hit.point, hit.attributes.position_world());
     const float height = here.read(displacement_).dot(hit.point.ns);
     V2f rise(0.0f);
     for (int i = 0; i < 2; ++i) {
-        hit.attributes.moved(
-            offsets[static_cast<std::size_t>(i)], [&](const HitAttributes& there) {
-                rise[i] = here.read_at(displacement_, there).dot(hit.point.ns) - height;
-            });
+        const auto look = [&](const HitAttributes& there) {
+            rise[i] = here.read_at(displacement_, there).dot(hit.point.ns) - height;
+        };
+        // By reference: what it captures is more than std::function holds without the heap.
+        hit.attributes.moved(offsets[static_cast<std::size_t>(i)], std::ref(look));
     }
-    return bumped_normal(hit.point.ns, offsets, rise);
+    point.ns = bumped_normal(hit.point.ns, offsets, rise);
+    return point;
 }
 
 ShadedPoint ShaderProgram::shade(const Hit& hit) const
 {
-    ShadingPoint point = hit.point;
-    if (has_displacement_) {
-        point.ns = displaced_normal(hit);
-    }
-    const Hit displaced{
-        .point = point, .attributes = hit.attributes, .path = hit.path, .probe = hit.probe};
-    ProgramRun run(steps_, value_count_, displaced);
+    const ShadingPoint point = displaced(hit);
+    ProgramRun run(steps_, value_count_, at(point, hit));
     ShadedPoint shaded(point);
     for (const ProgramLeaf& leaf : leaves_) {
         const float weight = run.weight(leaf);
@@ -134,7 +144,8 @@ ShadedPoint ShaderProgram::shade(const Hit& hit) const
 
 Color3f ShaderProgram::straight_transmittance(const Hit& hit) const
 {
-    ProgramRun run(steps_, value_count_, hit);
+    const ShadingPoint point = displaced(hit);
+    ProgramRun run(steps_, value_count_, at(point, hit));
     Color3f sum(0.0f);
     for (const ProgramLeaf& leaf : leaves_) {
         if (!leaf.facts.may_be_transparent) {
@@ -150,7 +161,8 @@ Color3f ShaderProgram::straight_transmittance(const Hit& hit) const
 
 Color3f ShaderProgram::emission(const Hit& hit) const
 {
-    ProgramRun run(steps_, value_count_, hit);
+    const ShadingPoint point = displaced(hit);
+    ProgramRun run(steps_, value_count_, at(point, hit));
     Color3f sum(0.0f);
     for (const ProgramLeaf& leaf : leaves_) {
         if (!leaf.facts.may_emit) {

@@ -46,11 +46,19 @@ struct ProgramInput {
 };
 
 struct ProgramStep {
+    // An output that somebody reads.
+    struct Wanted {
+        std::size_t output;
+        int value;  // its place among the values of a run
+    };
+    // Of a node.
+    static constexpr std::size_t most_outputs = 32;
+
     std::vector<ProgramInput> inputs;
     std::shared_ptr<const ValueNode> node{};  // none for a closure
-    int first_value = 0;
-    int value_count = 0;
+    std::size_t output_count = 0;
     std::uint32_t wanted_outputs = 0;  // one bit each
+    std::vector<Wanted> wanted{};      // the same, with their places
     bool varies_in_space = false;      // reads more than what is the same all over an object
 };
 
@@ -111,7 +119,8 @@ public:
 private:
     friend class ProgramCompiler;  // fills it in
 
-    [[nodiscard]] V3f displaced_normal(const Hit& hit) const;
+    // The point with its normal bent by the displacement, if there is one.
+    [[nodiscard]] ShadingPoint displaced(const Hit& hit) const;
 
     std::vector<ProgramStep> steps_;
     std::vector<ProgramLeaf> leaves_;
@@ -139,7 +148,9 @@ public:
     [[nodiscard]] const Hit& hit() const { return hit_; }
 
 private:
-    static constexpr std::size_t usual_size = 96;
+    // Wanted values, and steps: a group of nodes may bring a hundred. What is not used is not
+    // touched.
+    static constexpr std::size_t usual_size = 512;
 
     enum class StepState : std::uint8_t { Open, Done };
 

@@ -63,8 +63,8 @@ private:
             add_shader(node, 1, constant_weight, factors);
             break;
         case NodeRole::Closure:
-            add_leaf(node.type->make_closure(node.options, resources_), values_.inputs_of(node),
-                     constant_weight, factors);
+            add_leaf(node.made_closure(resources_), values_.inputs_of(node), constant_weight,
+                     factors);
             break;
         case NodeRole::Value: add_shining(output, constant_weight, factors); break;
         }
@@ -108,16 +108,14 @@ private:
                      float constant_weight,
                      const std::vector<ProgramLeaf::Factor>& factors)
     {
-        const NodeType& emission = *node_type_named("EMISSION");
         NodeGraph shining;
-        const std::size_t number = shining.add("EMISSION");
-        std::vector<ProgramInput> inputs = values_.inputs_of(shining.node(number));
+        const NodeGraph::Node& emission = shining.node(shining.add("EMISSION"));
+        std::vector<ProgramInput> inputs = values_.inputs_of(emission);
         inputs[0] = values_.linked(output, SocketType::Color);
-        add_leaf(emission.make_closure({}, resources_), std::move(inputs), constant_weight,
-                 factors);
+        add_leaf(emission.made_closure(resources_), std::move(inputs), constant_weight, factors);
     }
 
-    void add_leaf(std::unique_ptr<const ClosureNode> closure,
+    void add_leaf(std::shared_ptr<const ClosureNode> closure,
                   std::vector<ProgramInput> inputs,
                   float constant_weight,
                   const std::vector<ProgramLeaf::Factor>& factors)

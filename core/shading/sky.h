@@ -3,7 +3,7 @@
 #pragma once
 
 #include "base/vector.h"
-#include "shading/node_options.h"
+#include "shading/node_graph.h"
 
 #include <optional>
 
@@ -18,5 +18,9 @@ struct SunDisc {
 // Of the node TEX_SKY with these options. Nothing if its sky has no disc, or if the disc is below
 // the horizon. Throws std::invalid_argument as the node does.
 [[nodiscard]] std::optional<SunDisc> sun_disc(const NodeOptions& options);
+
+// Of the first such node that the output depends on and that is laid out as the world is; a sun
+// that is turned by other nodes is found by sampling alone.
+[[nodiscard]] std::optional<SunDisc> sun_shown(const NodeGraph& graph, const NodeOutput& output);
 
 }  // namespace eye_render

@@ -26,7 +26,7 @@ namespace {
 [[nodiscard]] std::vector<NodeValue> fold(ProgramStep& step)
 {
     step.wanted_outputs = ~0u;
-    std::vector<NodeValue> outputs(static_cast<std::size_t>(step.value_count), NodeValue(0.0f));
+    std::vector<NodeValue> outputs(step.output_count, NodeValue(0.0f));
     const Nowhere nowhere;
     const std::vector<ProgramStep> no_steps;
     ProgramRun run(no_steps, 0, nowhere.hit());
@@ -55,14 +55,23 @@ ProgramInput ValueCompiler::linked(const NodeOutput& from, SocketType to)
     if (compiled.step == ProgramInput::none) {
         return {.constant = converted(compiled.constants[from.output], conversion)};
     }
-    ProgramStep& step = steps_[static_cast<std::size_t>(compiled.step)];
-    step.wanted_outputs |= 1u << from.output;
     if (node.type->outputs[from.output].reads_active_uv) {
         static_cast<void>(resources_.uv_layer(""));
     }
     return {.step = compiled.step,
-            .value = step.first_value + static_cast<int>(from.output),
+            .value = place_of(steps_[static_cast<std::size_t>(compiled.step)], from.output),
             .conversion = conversion};
+}
+
+int ValueCompiler::place_of(ProgramStep& step, std::size_t output)
+{
+    const auto known = std::ranges::find(step.wanted, output, &ProgramStep::Wanted::output);
+    if (known != step.wanted.end()) {
+        return known->value;
+    }
+    step.wanted_outputs |= 1u << output;
+    step.wanted.push_back({.output = output, .value = value_count_});
+    return value_count_++;
 }
 
 ProgramInput ValueCompiler::input_of(const NodeGraph::Node& node, std::size_t number)
@@ -104,9 +113,8 @@ const ValueCompiler::Compiled& ValueCompiler::compile(std::size_t number)
     }
     compiled.state = Compiled::State::Begun;
     ProgramStep step{.inputs = inputs_of(node),
-                     .node = node.type->make_value(node.options, resources_),
-                     .first_value = value_count_,
-                     .value_count = static_cast<int>(node.type->outputs.size())};
+                     .node = node.made_value(resources_),
+                     .output_count = node.type->outputs.size()};
     const bool is_constant =
         !node.type->reads_hit && std::ranges::all_of(step.inputs, &ProgramInput::is_constant);
     if (is_constant) {
@@ -116,7 +124,6 @@ const ValueCompiler::Compiled& ValueCompiler::compile(std::size_t number)
                                std::ranges::any_of(step.inputs, [](const ProgramInput& input) {
                                    return input.implicit != ImplicitInput::None;
                                });
-        value_count_ += step.value_count;
         compiled.step = static_cast<int>(steps_.size());
         steps_.push_back(std::move(step));
     }

@@ -37,6 +37,8 @@ private:
     };
 
     const Compiled& compile(std::size_t number);
+    // Of one of the step's outputs among the values of a run; from now on it is wanted.
+    int place_of(ProgramStep& step, std::size_t output);
 
     const NodeGraph& graph_;
     NodeResources& resources_;

@@ -117,5 +117,21 @@ TEST(SceneBuilder, refuses_a_texture_that_does_not_exist)
     EXPECT_TRUE(scene.data().materials.empty());
 }
 
+TEST(SceneBuilder, aims_at_the_sun_of_the_sky_that_the_world_shows)
+{
+    NodeGraph graph;
+    graph.add("TEX_SKY", test::options_of({{"sun_elevation", 0.2}}));  // left lying about
+    const std::size_t shown = graph.add("TEX_SKY", test::options_of({{"sun_elevation", 0.9}}));
+    const std::size_t background = graph.add("BACKGROUND");
+    const MaterialOutputs outputs{.surface = graph.output(background, "Background")};
+    SceneBuilder scene;
+    scene.set_world(graph, outputs);
+    EXPECT_FALSE(scene.data().world_sun) << "a world of one colour";
+    graph.link(background, "Color", graph.output(shown, "Color"));
+    scene.set_world(graph, outputs);
+    ASSERT_TRUE(scene.data().world_sun);
+    EXPECT_NEAR(scene.data().world_sun->direction.z, std::sin(0.9), 0.02);
+}
+
 }  // namespace
 }  // namespace eye_render

@@ -34,8 +34,9 @@ struct AskedNode {
         resources.names = names;
         ProgramStep step;
         step.node = node.type->make_value(node.options, resources);
-        step.value_count = static_cast<int>(node.type->outputs.size());
+        step.output_count = node.type->outputs.size();
         step.wanted_outputs = 1u << place;
+        step.wanted = {{.output = place, .value = 0}};
         for (std::size_t i = 0; i < node.inputs.size(); ++i) {
             const InputSocket& socket = node.type->inputs[i];
             const auto* value = std::get_if<NodeValue>(&node.inputs[i]);
@@ -44,8 +45,8 @@ struct AskedNode {
                                                                   .implicit = socket.implicit});
         }
         const std::vector<ProgramStep> steps{std::move(step)};
-        ProgramRun run(steps, steps[0].value_count, hit);
-        return run.read({.step = 0, .value = static_cast<int>(place)});
+        ProgramRun run(steps, 1, hit);
+        return run.read({.step = 0, .value = 0});
     }
     [[nodiscard]] NodeValue operator()(std::string_view output,
                                        const HitAttributes& attributes,

@@ -24,7 +24,7 @@ public:
         }
         AnyResources resources;
         step_.node = type.make_value(NodeOptions(std::move(options)), resources);
-        step_.value_count = static_cast<int>(type.outputs.size());
+        step_.output_count = type.outputs.size();
         step_.wanted_outputs = ~0u;
         for (const InputSocket& socket : type.inputs) {
             step_.inputs.push_back({.constant = socket.value, .implicit = socket.implicit});

@@ -101,7 +101,7 @@ TEST(Program, inputs_that_nothing_is_linked_to_read_the_hit)
 
 TEST(Program, program_larger_than_usual_is_evaluated_all_the_same)
 {
-    constexpr int nodes = 300;
+    constexpr int nodes = 600;
     GraphTrial trial;
     std::size_t sum = trial.add("ATTRIBUTE", {{"attribute_name", "a"}});
     std::string_view output = "Fac";
@@ -144,6 +144,31 @@ TEST(Program, displacement_bends_the_normal_of_all_its_shaders)
     const ShadingPoint seen{.wo = up, .ng = up, .ns = up, .footprint = 0.01f};
     // The mean of the coordinates rises by a third along x and y: normal (-1, -1, 3).
     EXPECT_LT((mirror_normal(program, seen, {}) - V3f(-1, -1, 3).normalized()).length(), 1e-4f);
+}
+
+TEST(Program, displacement_is_the_same_for_light_sampling_and_for_shadows)
+{
+    GraphTrial trial;
+    const std::size_t facing = trial.add("LAYER_WEIGHT");
+    const std::size_t light = add_emission(trial, 0.0f);
+    trial.link(light, "Strength", facing, "Facing");
+    const std::size_t clear = trial.add("BSDF_TRANSPARENT");
+    trial.link(clear, "Color", facing, "Facing");
+    const std::size_t both = trial.add("ADD_SHADER");
+    trial.graph.link(both, "Shader", {.node = light});
+    trial.graph.link(both, "Shader_001", {.node = clear});
+    const std::size_t place = trial.add("TEX_COORD");
+    const std::size_t displacement = trial.add("DISPLACEMENT", {{"space", "WORLD"}});
+    trial.link(displacement, "Height", place, "Generated");
+    const ShaderProgram program(trial.graph, trial.graph.output(both, "Shader"),
+                                trial.graph.output(displacement, "Displacement"), trial.resources);
+    const ShadingPoint seen{.wo = up, .ng = up, .ns = up, .footprint = 0.01f};
+    const MadeUpHit at;
+    const Hit hit{.point = seen, .attributes = at, .path = path};
+    const ShadedPoint shaded = program.shade(hit);
+    EXPECT_GT(shaded.emission.x, 0.05f);
+    EXPECT_EQ(program.emission(hit), shaded.emission);
+    EXPECT_EQ(program.straight_transmittance(hit), shaded.bsdf.straight());
 }
 
 TEST(Program, constant_displacement_bends_nothing_and_costs_nothing)

@@ -8,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace eye_render {
 
@@ -85,10 +86,11 @@ public:
         const float height = in.number(Height);
         V2f rise(0.0f);
         for (int i = 0; i < 2; ++i) {
-            hit.attributes.moved(offsets[static_cast<std::size_t>(i)],
-                                 [&](const HitAttributes& there) {
-                                     rise[i] = (in.number_at(Height, there) - height) * distance;
-                                 });
+            const auto look = [&](const HitAttributes& there) {
+                rise[i] = (in.number_at(Height, there) - height) * distance;
+            };
+            // By reference: what it captures is more than std::function holds without the heap.
+            hit.attributes.moved(offsets[static_cast<std::size_t>(i)], std::ref(look));
         }
         const V3f bumped = bumped_normal(normal, offsets, rise);
         out[0] = unit_or(normal + (bumped - normal) * strength, normal);
@@ -122,9 +124,10 @@ constexpr std::array normal_map_in{number_input("Strength", 1.0f),
                                    InputSocket{"Color", Color, NodeValue(0.5f, 0.5f, 1.0f)}};
 constexpr std::array normal_out{OutputSocket{"Normal", Vector}};
 constexpr std::array<std::string_view, 2> normal_map_options{"space", "uv_map"};
-constexpr std::array bump_in{number_input("Strength", 1.0f), number_input("Distance", 1.0f),
-                             number_input("Filter Width", 1.0f),  // before Blender had it
-                             number_input("Height", 1.0f), normal_input()};
+constexpr std::array bump_in{
+    number_input("Strength", 1.0f), number_input("Distance", 1.0f),
+    number_input("Filter Width", 1.0f),  // pixels; fixed before Blender 4.4
+    number_input("Height", 1.0f), normal_input()};
 constexpr std::array<std::string_view, 1> bump_options{"invert"};
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 namespace eye_render {
 
@@ -104,11 +105,12 @@ private:
         for (int i = 0; i < samples_; ++i) {
             const auto u = sobol_4d(probe.seed(), static_cast<std::uint32_t>(i), BevelGroup);
             const BevelRay ray = sample_bevel_ray(point.ng, radius, u[0], {u[1], u[2]});
-            probe.cross_own_object(
-                ray.start, ray.direction, ray.length, [&](const SurfaceProbe::Crossing& crossing) {
-                    sum += crossing.ns *
-                           bevel_weight(ray, radius, crossing.ng, crossing.from_hit.length());
-                });
+            const auto visit = [&](const SurfaceProbe::Crossing& crossing) {
+                sum += crossing.ns *
+                       bevel_weight(ray, radius, crossing.ng, crossing.from_hit.length());
+            };
+            // By reference: what it captures is more than std::function holds without the heap.
+            probe.cross_own_object(ray.start, ray.direction, ray.length, std::ref(visit));
         }
         return unit_or(point.backfacing ? -sum : sum, point.ns);
     }

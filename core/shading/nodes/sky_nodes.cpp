@@ -142,6 +142,18 @@ std::optional<SunDisc> sun_disc(const NodeOptions& options)
                                                  : std::nullopt;
 }
 
+std::optional<SunDisc> sun_shown(const NodeGraph& graph, const NodeOutput& output)
+{
+    for (const std::size_t number : graph.reached_from(output)) {
+        const NodeGraph::Node& node = graph.node(number);
+        if (node.type->name == "TEX_SKY" &&
+            std::holds_alternative<std::monostate>(node.inputs.front())) {
+            return sun_disc(node.options);
+        }
+    }
+    return std::nullopt;
+}
+
 std::span<const NodeType> sky_nodes()
 {
     static const std::array nodes{
