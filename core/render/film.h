@@ -26,7 +26,6 @@ struct PathSample {
     int x = 0;
     int y = 0;
     V2d pupil_point_m{0.0};
-    V2d slope{0.0};
     double weight = 1.0;
     // What the path says about each colour channel, with a chromatic film: its wavelength lies
     // more in one than in the others. Means are taken channel by channel, so white stays white

@@ -106,7 +106,8 @@ public:
 private:
     void be_caught(const Ray& camera_ray)
     {
-        SampleSequence alike = sequence_;  // so that noise is, too
+        // Of the same random numbers, so that noise common to both paths leaves their ratio.
+        SampleSequence alike = sequence_;
         PathTracer bare(scene_, settings_, alike, nullptr);
         bare.path_.sees_catchers_only = true;
         const Color3f behind = settings_.film_transparent

@@ -17,7 +17,8 @@ struct IntegratorSettings {
     int max_bounces = 4;  // 0: what is lit directly; straight passages do not count
     LightPathLimits limits{};
     bool film_transparent = false;  // the world lights the scene, but is not seen directly
-    // Nor through glass whose alpha squared is at most this.
+    // With a transparent film, glass is as clear as the film where the product of its two
+    // microfacet alphas, its roughness to the fourth, is at most this; below 0 no glass is.
     float clear_alpha_squared = -1.0f;
     SurfacePassSettings surface_passes{};
     // Width of a pixel at distance 1 along the view: what is finer is not seen by bump mapping.

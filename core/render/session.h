@@ -19,10 +19,12 @@ namespace eye_render {
 struct SessionSettings {
     SampleRange samples;
     std::vector<PassRequest> passes;
-    CaughtShadow shadow = CaughtShadow::OverWorld;  // as FilmLayout has it
-    std::optional<double> efficiency{};             // and this
-    double exposure = 1.0;                          // and this
-    int threads = 0;                                // at most; 0: all the processor has
+    CaughtShadow shadow = CaughtShadow::OverWorld;  // of shadow catchers
+    // The share of light that counts of what the eye loses, 0 to 1; nothing: lost light is left
+    // out of the means (FilmLayout::efficiency).
+    std::optional<double> efficiency{};
+    double exposure = 1.0;  // a factor of all light in the picture
+    int threads = 0;        // at most; 0: all the processor has
 };
 
 class Session {

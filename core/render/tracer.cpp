@@ -107,7 +107,6 @@ PathSample trace_sample(const RenderJob& job,
         sample.weight = job.stiles_crawford->weight(sample.pupil_point_m);
     }
     if (camera.fate == RayFate::Transmitted) {
-        sample.slope = camera.slope;
         sample.weight *= camera.weight;
         sample.light = trace_path(*job.scene, job.integrator, camera.ray, sequence, values);
     }

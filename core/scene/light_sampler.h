@@ -6,8 +6,7 @@
 // little of the probability is shared out evenly, so that no light that can contribute is ever
 // left out.
 //
-// The clusters are weighed once a shading point, in a LitPoint, however many questions follow:
-// weighing them again for every light that a BSDF-sampled ray met took 5 % of a render.
+// The clusters are weighed once a shading point, in a LitPoint, however many questions follow.
 //
 // Probabilities here are discrete: of choosing that light. The density of a direction is the
 // probability times the density of sampling a direction on that light. Who calls this knows only
@@ -52,8 +51,6 @@ public:
     LightSampler(std::span<const Lamp> lamps,
                  std::span<const EmissiveTriangle> triangles,
                  const Environment& environment);
-
-    [[nodiscard]] bool empty() const { return clusters_.empty(); }
 
     // Weighs the lights for the point `p_world`. `n_world` is the unit normal on the side that is
     // lit, or zero where light counts from all sides. Into a place that can be used again, because

@@ -216,23 +216,6 @@ std::optional<std::array<float, 4>> TextureCache::lookup(const CachedImage& imag
     return texel;
 }
 
-std::vector<float> TextureCache::rows(const CachedImage& image, int y0, int y1) const
-{
-    std::vector<float> values(static_cast<std::size_t>(image.width) *
-                              static_cast<std::size_t>(y1 - y0) *
-                              static_cast<std::size_t>(image.channels));
-    OIIO::ImageCache& cache = *impl_->cache;
-    OIIO::ImageCache::Perthread* thread = cache.create_thread_info();
-    const bool is_read = cache.get_pixels(cache.get_image_handle(impl_->entry(image).name, thread),
-                                          thread, 0, 0, 0, image.width, y0, y1, 0, 1, 0,
-                                          image.channels, OIIO::TypeDesc::FLOAT, values.data());
-    cache.destroy_thread_info(thread);
-    if (!is_read) {
-        values.clear();
-    }
-    return values;
-}
-
 std::string TextureCache::take_error() const { return impl_->system->geterror(); }
 
 }  // namespace eye_render

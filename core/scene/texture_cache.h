@@ -40,13 +40,10 @@ public:
 
     // The image's first channels at (u, v), v = 0 the top; the other entries are zero. Nothing if
     // the file cannot be read any more: `take_error` says why. Safe from any number of threads
-    // once everything is added, as is the next.
+    // once everything is added.
     [[nodiscard]] std::optional<std::array<float, 4>> lookup(const CachedImage& image,
                                                              float u,
                                                              float v) const;
-
-    // The whole rows from y0 to y1 - 1, channels interleaved; empty if they cannot be read.
-    [[nodiscard]] std::vector<float> rows(const CachedImage& image, int y0, int y1) const;
 
     // Why this thread's last lookup failed. Asked again, it is empty.
     [[nodiscard]] std::string take_error() const;

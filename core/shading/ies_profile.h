@@ -27,9 +27,6 @@ public:
     // eighth brighter opposite to its one row.
     [[nodiscard]] float at(float horizontal_rad, float vertical_rad) const;
 
-    [[nodiscard]] const std::vector<float>& horizontal_rad() const { return horizontal_rad_; }
-    [[nodiscard]] const std::vector<float>& vertical_rad() const { return vertical_rad_; }
-
 private:
     [[nodiscard]] float along_vertical(std::size_t row, std::size_t first, float share) const;
 

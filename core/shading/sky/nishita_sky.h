@@ -25,8 +25,6 @@ class NishitaSun {
 public:
     explicit NishitaSun(const NishitaSettings& settings);
 
-    [[nodiscard]] bool has_disc() const { return has_disc_; }
-    [[nodiscard]] const V3f& direction() const { return direction_; }
     // Within the disc's rim, above the horizon; otherwise nothing.
     [[nodiscard]] std::optional<Color3f> radiance(const V3f& direction) const;
     [[nodiscard]] std::optional<SunDisc> disc() const;
