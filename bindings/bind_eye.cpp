@@ -1,8 +1,6 @@
 // eyecore.Eye, and what is known of pupils and accommodation.
 
-#include "api/eye.h"
-#include "bind_values.h"
-#include "module.h"
+#include "eye_options.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,24 +67,11 @@ py::tuple rays(const EyeModel& eye,
     return py::make_tuple(origin, slope, weight, fate);
 }
 
-std::shared_ptr<EyeModel> make_eye_from_python(const std::string& model,
-                                               const py::object& rx,
-                                               const std::string& rx_plane,
-                                               double vertex_mm,
-                                               double pupil_mm,
-                                               double accommodation_d,
-                                               const std::string& correction,
-                                               const py::object& worn,
-                                               bool near_part,
-                                               const std::optional<Wavefront>& wavefront,
-                                               const std::string& refraction_zero,
-                                               bool exact_trace)
+// Fitting a schematic eye takes seconds, in which other threads of Python go on.
+std::shared_ptr<EyeModel> make_eye_from_options(const EyeDescription& description)
 {
-    EyeDescription eye = eye_from_python(model, rx, rx_plane, vertex_mm, correction, worn,
-                                         near_part, wavefront, refraction_zero, exact_trace);
-    eye.pupil_mm = pupil_mm;
-    eye.accommodation_d = accommodation_d;
-    return make_eye(eye);
+    const py::gil_scoped_release others_run;
+    return make_eye(description);
 }
 
 std::string blur_text(const BlurEllipse& blur)
@@ -126,15 +111,20 @@ void bind_eye(py::module_& m)
         .def_readonly("rms_radius_arcmin", &BlurEllipse::rms_radius_arcmin)
         .def("__repr__", &blur_text);
 
-    const EyeDescription usual;
+    py::class_<EyeDescription> description(m, "EyeDescription", "What Eye is made from.");
+    description.def(py::init(&options_from<EyeDescription>), "Attributes by keyword.")
+        .def_readwrite("pupil_mm", &EyeDescription::pupil_mm, "Diameter of the entrance pupil.")
+        .def_readwrite("accommodation_d", &EyeDescription::accommodation_d,
+                       "Of the relaxed eye's power, 0 to max_accommodation_d of the model.");
+    define_eye_options(
+        description, [](auto& eye) -> auto& { return eye; });
+
     py::class_<EyeModel, std::shared_ptr<EyeModel>> eye(m, "Eye",
                                                         "An eye as a model sees through it.");
-    define_init(
-        eye, &make_eye_from_python,
-        std::tuple_cat(refraction_keywords(),
-                       std::make_tuple("pupil_mm"_a = usual.pupil_mm,
-                                       "accommodation_d"_a = usual.accommodation_d, py::kw_only()),
-                       eye_keywords()));
+    eye.def(py::init([](const py::kwargs& given) {
+                return make_eye_from_options(options_from<EyeDescription>(given));
+            }),
+            "Attributes of EyeDescription by keyword. ValueError for what no such eye can be.");
     eye.def("rays", &rays, "chief_slope"_a, "pupil_point_m"_a,
             "wavelength_nm"_a = reference_wavelength_nm,
             "(origin_m (n, 3), slope (n, 2), weight (n,), fate (n,)) for chief slopes and pupil\n"

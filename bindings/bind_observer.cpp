@@ -1,50 +1,36 @@
 // eyecore.Observer.
 
 #include "api/observer.h"
-#include "bind_values.h"
-#include "module.h"
+#include "eye_options.h"
 
 namespace eye_render {
 
 namespace {
 
-Observer make_observer(const std::string& model,
-                       const py::object& rx,
-                       const std::string& rx_plane,
-                       double vertex_mm,
-                       double age_years,
-                       const py::object& pupil,
-                       const std::string& pupil_formula,
-                       double cd_m2_per_unit,
-                       double luminance_sigma,
-                       const std::optional<double>& field_area_deg2,
-                       int eyes,
-                       const py::object& focus,
-                       const std::string& correction,
-                       const py::object& worn,
-                       bool near_part,
-                       const std::optional<Wavefront>& wavefront,
-                       const std::string& refraction_zero,
-                       bool exact_trace,
-                       const std::string& amplitude_formula)
+py::object pupil(const Observer& observer)
 {
-    Observer observer;
-    observer.amplitude_formula =
-        named_of("amplitude_formula", amplitude_formula, amplitude_formulas);
-    observer.eye = eye_from_python(model, rx, rx_plane, vertex_mm, correction, worn, near_part,
-                                   wavefront, refraction_zero, exact_trace);
-    observer.age_years = age_years;
-    if (const auto diameter_mm = number_from(pupil)) {
-        observer.pupil_mm = *diameter_mm;
-    } else if (!py::isinstance<py::str>(pupil) || pupil.cast<std::string>() != "auto") {
+    return observer.pupil_mm ? py::object(py::float_(*observer.pupil_mm)) : py::str("auto");
+}
+
+void set_pupil(Observer& observer, const py::object& pupil)
+{
+    observer.pupil_mm = number_from(pupil);
+    if (!observer.pupil_mm && !(py::isinstance<py::str>(pupil) && pupil.equal(py::str("auto")))) {
         throw std::invalid_argument("pupil is " + text_of(pupil) +
                                     "; expected 'auto' or a number of mm");
     }
-    observer.pupil_formula = named_of("pupil_formula", pupil_formula, pupil_formulas);
-    observer.cd_m2_per_unit = cd_m2_per_unit;
-    observer.luminance_sigma = luminance_sigma;
-    observer.field_area_deg2 = field_area_deg2;
-    observer.eyes = eyes;
+}
+
+py::object focus(const Observer& observer)
+{
+    if (observer.focus == FocusMode::Distance) {
+        return py::float_(observer.focus_distance_m);
+    }
+    return py::str(std::string(to_string(observer.focus)));
+}
+
+void set_focus(Observer& observer, const py::object& focus)
+{
     if (const auto distance_m = number_from(focus)) {
         observer.focus = FocusMode::Distance;
         observer.focus_distance_m = *distance_m;
@@ -56,7 +42,6 @@ Observer make_observer(const std::string& model,
         throw std::invalid_argument("focus is " + text_of(focus) +
                                     "; expected 'relaxed', 'center' or a number of metres");
     }
-    return observer;
 }
 
 std::string observer_text(const Observer& observer)
@@ -84,32 +69,31 @@ std::string observer_text(const Observer& observer)
 
 void bind_observer(py::module_& m)
 {
-    using namespace py::literals;
-
-    const Observer usual;
     py::class_<Observer> observer(m, "Observer", "Who looks: prescription, pupil, focus, age.");
-    define_init(
-        observer, &make_observer,
-        std::tuple_cat(
-            std::make_tuple(py::kw_only()), refraction_keywords(),
-            std::make_tuple("age_years"_a = usual.age_years, "pupil"_a = "auto",
-                            "pupil_formula"_a = std::string(to_string(usual.pupil_formula)),
-                            "cd_m2_per_unit"_a = usual.cd_m2_per_unit,
-                            "luminance_sigma"_a = usual.luminance_sigma,
-                            "field_area_deg2"_a = py::none(), "eyes"_a = usual.eyes,
-                            "focus"_a = "relaxed"),
-            eye_keywords(),
-            std::make_tuple(
-                "amplitude_formula"_a = std::string(to_string(usual.amplitude_formula)),
-                "pupil: 'auto' or mm. field_area_deg2: what an automatic pupil adapts to, None "
-                "for\n"
-                "the picture's; eyes: how many see it. focus: 'relaxed', 'center' or metres.\n"
-                "correction: 'none', 'glasses' or 'contacts', made to `worn`, by default the "
-                "eye's "
-                "own\n"
-                "prescription. wavefront: what the model of that name needs. refraction_zero,\n"
-                "exact_trace: for the schematic eyes.")));
-    observer.def("__repr__", &observer_text);
+    observer
+        .def(py::init(&options_from<Observer>),
+             "Attributes by keyword. What they allow is checked by the Session.")
+        .def_readwrite("age_years", &Observer::age_years, "0 to 120.")
+        .def_property("pupil", &pupil, &set_pupil, "'auto', or a diameter of 0 to 9 mm.")
+        .def_readwrite("cd_m2_per_unit", &Observer::cd_m2_per_unit,
+                       "Luminance of radiance 1 in all channels, for an automatic pupil.")
+        .def_readwrite("luminance_sigma", &Observer::luminance_sigma,
+                       "Of the Gaussian weight of the picture's luminance, in half heights and\n"
+                       "widths.")
+        .def_readwrite("field_area_deg2", &Observer::field_area_deg2,
+                       "What an automatic pupil adapts to; None for the picture's.")
+        .def_readwrite("eyes", &Observer::eyes, "That see the light: 1 or 2.")
+        .def_property("focus", &focus, &set_focus,
+                      "'relaxed', 'center' or metres from the entrance pupil.")
+        .def("__repr__", &observer_text);
+    define_named_option(
+        observer, "amplitude_formula", [](auto& o) -> auto& { return o.amplitude_formula; },
+        amplitude_formulas, "Of accommodation: one of AMPLITUDE_FORMULAS.");
+    define_named_option(
+        observer, "pupil_formula", [](auto& o) -> auto& { return o.pupil_formula; },
+        pupil_formulas, "One of PUPIL_FORMULAS.");
+    define_eye_options(
+        observer, [](auto& o) -> auto& { return o.eye; });
 }
 
 }  // namespace eye_render

@@ -1,9 +1,11 @@
 // eyecore.Settings, and the names that it takes.
 
 #include "api/render_settings.h"
-#include "bind_values.h"
-#include "module.h"
+#include "options.h"
 
+#include <algorithm>
+#include <array>
+#include <iterator>
 #include <map>
 
 namespace eye_render {
@@ -23,94 +25,74 @@ StilesCrawfordMode stiles_crawford_from(const py::object& mode)
     return named_of("stiles_crawford", mode.cast<std::string>(), stiles_crawford_modes);
 }
 
-RenderSettings make_settings(std::uint32_t samples,
-                             int max_bounces,
-                             std::uint64_t seed,
-                             const std::optional<std::array<std::uint32_t, 2>>& sample_range,
-                             const std::string& pattern,
-                             const std::vector<std::string>& passes,
-                             int threads,
-                             bool film_transparent,
-                             const std::optional<double>& film_glass_roughness,
-                             double exposure,
-                             const std::string& pixel_filter,
-                             double filter_width_px,
-                             const LightPathLimits& limits,
-                             bool chromatic,
-                             const py::object& stiles_crawford,
-                             float mist_start,
-                             float mist_depth,
-                             const std::string& mist_falloff,
-                             float occlusion_distance,
-                             float pass_alpha_threshold,
-                             const std::map<std::string, std::string>& aovs)
+bool is_aov(const PassRequest& request)
 {
-    RenderSettings settings;
-    settings.samples = samples;
-    if (sample_range) {
-        settings.range = SampleRange{(*sample_range)[0], (*sample_range)[1]};
+    return request.pass == Pass::AovValue || request.pass == Pass::AovColor;
+}
+
+std::vector<std::string> pass_names(const RenderSettings& settings)
+{
+    std::vector<std::string> names;
+    for (const PassRequest& request : settings.passes) {
+        if (!is_aov(request)) {
+            names.push_back(request.name());
+        }
     }
-    settings.max_bounces = max_bounces;
-    settings.limits = limits;
-    settings.seed = seed;
-    settings.pattern = named_of("pattern", pattern, pupil_pattern_kinds);
-    settings.passes.clear();
-    for (const std::string& name : passes) {
+    return names;
+}
+
+void set_passes(RenderSettings& settings, const std::vector<std::string>& names)
+{
+    std::vector<PassRequest> wanted;
+    for (const std::string& name : names) {
         const auto pass = pass_named(name);
         if (!pass) {
             throw std::invalid_argument("pass '" + name + "' does not exist; see eyecore.PASSES");
         }
-        settings.passes.push_back(*pass);
+        wanted.push_back(*pass);
     }
-    for (const auto& [name, kind] : aovs) {
-        settings.passes.emplace_back(
-            named<Pass>("kind of AOV '" + name + "'", kind,
-                        {{"VALUE", Pass::AovValue}, {"COLOR", Pass::AovColor}}),
-            name);
-    }
-    settings.threads = threads;
-    settings.film_transparent = film_transparent;
-    settings.film_glass_roughness = film_glass_roughness;
-    settings.exposure = exposure;
-    settings.filter = named_of("pixel_filter", pixel_filter, pixel_filter_kinds);
-    settings.filter_width_px = filter_width_px;
-    settings.chromatic = chromatic;
-    settings.stiles_crawford = stiles_crawford_from(stiles_crawford);
-    settings.surface_passes = {
-        .mist_start = mist_start,
-        .mist_depth = mist_depth,
-        .mist_falloff = named<MistFalloff>("mist_falloff", mist_falloff,
-                                           {{"QUADRATIC", MistFalloff::Quadratic},
-                                            {"LINEAR", MistFalloff::Linear},
-                                            {"INVERSE_QUADRATIC", MistFalloff::InverseQuadratic}}),
-        .occlusion_distance = occlusion_distance};
-    settings.pass_alpha_threshold = pass_alpha_threshold;
-    return settings;
+    std::ranges::copy_if(settings.passes, std::back_inserter(wanted), is_aov);
+    settings.passes = std::move(wanted);
 }
 
-LightPathLimits make_limits(int diffuse_bounces,
-                            int glossy_bounces,
-                            int transmission_bounces,
-                            int volume_bounces,
-                            int transparent_bounces,
-                            bool reflective_caustics,
-                            bool refractive_caustics,
-                            float filter_glossy,
-                            float clamp_direct,
-                            float clamp_indirect)
+std::map<std::string, std::string> aov_kinds(const RenderSettings& settings)
 {
-    const LightPathLimits limits{.diffuse_bounces = diffuse_bounces,
-                                 .glossy_bounces = glossy_bounces,
-                                 .transmission_bounces = transmission_bounces,
-                                 .volume_bounces = volume_bounces,
-                                 .transparent_bounces = transparent_bounces,
-                                 .reflective_caustics = reflective_caustics,
-                                 .refractive_caustics = refractive_caustics,
-                                 .filter_glossy = filter_glossy,
-                                 .clamp_direct = clamp_direct,
-                                 .clamp_indirect = clamp_indirect};
-    require_valid(limits);
-    return limits;
+    std::map<std::string, std::string> kinds;
+    for (const PassRequest& request : settings.passes) {
+        if (is_aov(request)) {
+            kinds[request.label] = request.pass == Pass::AovValue ? "VALUE" : "COLOR";
+        }
+    }
+    return kinds;
+}
+
+void set_aovs(RenderSettings& settings, const std::map<std::string, std::string>& kinds)
+{
+    std::vector<PassRequest> aovs;
+    for (const auto& [name, kind] : kinds) {
+        aovs.emplace_back(named<Pass>("kind of AOV '" + name + "'", kind,
+                                      {{"VALUE", Pass::AovValue}, {"COLOR", Pass::AovColor}}),
+                          name);
+    }
+    std::erase_if(settings.passes, is_aov);
+    settings.passes.insert(settings.passes.end(), aovs.begin(), aovs.end());
+}
+
+std::optional<std::array<std::uint32_t, 2>> sample_range(const RenderSettings& settings)
+{
+    if (!settings.range) {
+        return std::nullopt;
+    }
+    return std::array{settings.range->first, settings.range->last};
+}
+
+void set_sample_range(RenderSettings& settings,
+                      const std::optional<std::array<std::uint32_t, 2>>& range)
+{
+    settings.range.reset();
+    if (range) {
+        settings.range = SampleRange{(*range)[0], (*range)[1]};
+    }
 }
 
 std::string settings_text(const RenderSettings& settings)
@@ -123,6 +105,99 @@ std::string settings_text(const RenderSettings& settings)
            ", max_bounces=" + std::to_string(settings.max_bounces) +
            ", seed=" + std::to_string(settings.seed) + ", pattern='" +
            std::string(to_string(settings.pattern)) + "')";
+}
+
+void bind_limits(py::module_& m)
+{
+    using Limits = LightPathLimits;
+    py::class_<Limits>(m, "LightPathLimits",
+                       "What is left out of the paths of light; by default nothing.")
+        .def(py::init([](const py::kwargs& given) {
+                 const Limits limits = options_from<Limits>(given);
+                 require_valid(limits);
+                 return limits;
+             }),
+             "Attributes by keyword. ValueError for one out of range.")
+        .def_readwrite("diffuse_bounces", &Limits::diffuse_bounces,
+                       "Off wide lobes, at most, and within max_bounces; 0 to 1024.")
+        .def_readwrite("glossy_bounces", &Limits::glossy_bounces)
+        .def_readwrite("transmission_bounces", &Limits::transmission_bounces)
+        .def_readwrite("volume_bounces", &Limits::volume_bounces)
+        .def_readwrite("transparent_bounces", &Limits::transparent_bounces,
+                       "Surfaces that a shadow ray passes straight.")
+        .def_readwrite("reflective_caustics", &Limits::reflective_caustics)
+        .def_readwrite("refractive_caustics", &Limits::refractive_caustics)
+        .def_readwrite("filter_glossy", &Limits::filter_glossy,
+                       "Roughens what is met after a bounce of a density, per steradian, below\n"
+                       "this; 0 for nothing.")
+        .def_readwrite("clamp_direct", &Limits::clamp_direct,
+                       "The most that light scattered once may bring to a sample, as the mean of\n"
+                       "its channels; 0 for no limit.")
+        .def_readwrite("clamp_indirect", &Limits::clamp_indirect,
+                       "The same of light scattered more often.");
+}
+
+void define_pass_settings(py::class_<RenderSettings>& settings)
+{
+    settings
+        .def_property(
+            "passes", &pass_names, &set_passes,
+            "Names of PASSES; Cryptomatte's such as 'CryptoObject00', and those of light\n"
+            "groups 'Combined_' and the group's name.")
+        .def_property("aovs", &aov_kinds, &set_aovs,
+                      "{name: 'VALUE' or 'COLOR'} of values that materials write out.")
+        .def_readwrite("pass_alpha_threshold", &RenderSettings::pass_alpha_threshold,
+                       "Below this alpha, Depth and other passes without blur see through a\n"
+                       "surface; 0 to 1.");
+    define_option(
+        settings, "mist_start", [](auto& s) -> auto& { return s.surface_passes.mist_start; },
+        "In the scene's units, as the others.");
+    define_option(
+        settings, "mist_depth", [](auto& s) -> auto& { return s.surface_passes.mist_depth; },
+        "From where mist starts to where it hides all.");
+    define_named_option(
+        settings, "mist_falloff", [](auto& s) -> auto& { return s.surface_passes.mist_falloff; },
+        mist_falloffs, "QUADRATIC, LINEAR or INVERSE_QUADRATIC.");
+    define_option(
+        settings, "occlusion_distance",
+        [](auto& s) -> auto& { return s.surface_passes.occlusion_distance; },
+        "How far the pass Ambient Occlusion looks.");
+}
+
+void bind_render_settings(py::module_& m)
+{
+    using Settings = RenderSettings;
+    py::class_<Settings> settings(m, "Settings", "How it is rendered.");
+    settings.def(py::init(&options_from<Settings>), "Attributes by keyword.")
+        .def_readwrite("samples", &Settings::samples, "A pixel; 1 to 16777216.")
+        .def_property("sample_range", &sample_range, &set_sample_range,
+                      "(first, last), last excluded, of the samples; None for all.")
+        .def_readwrite("max_bounces", &Settings::max_bounces, "0 to 1024.")
+        .def_readwrite("limits", &Settings::limits)
+        .def_readwrite("seed", &Settings::seed)
+        .def_readwrite("threads", &Settings::threads, "0 for all that the processor has.")
+        .def_readwrite("film_transparent", &Settings::film_transparent)
+        .def_readwrite("film_glass_roughness", &Settings::film_glass_roughness,
+                       "Glass up to this shows a transparent film, too; None: no glass does.")
+        .def_readwrite("exposure", &Settings::exposure, "A factor of all light in the picture.")
+        .def_readwrite("filter_width_px", &Settings::filter_width_px)
+        .def_readwrite("chromatic", &Settings::chromatic, "Each path at a wavelength of its own.")
+        .def_property(
+            "stiles_crawford",
+            [](const Settings& s) { return std::string(to_string(s.stiles_crawford)); },
+            [](Settings& s, const py::object& mode) {
+                s.stiles_crawford = stiles_crawford_from(mode);
+            },
+            "'BRIGHTNESS' (or True) shapes blur alone; with 'ENERGY' the picture darkens to what\n"
+            "part of the pupil is as good as its peak, and where the eye loses rays; 'OFF'.")
+        .def("__repr__", &settings_text);
+    define_named_option(
+        settings, "pattern", [](auto& s) -> auto& { return s.pattern; }, pupil_pattern_kinds,
+        "Of points in the pupil: one of PUPIL_PATTERNS.");
+    define_named_option(
+        settings, "pixel_filter", [](auto& s) -> auto& { return s.filter; }, pixel_filter_kinds,
+        "One of PIXEL_FILTERS.");
+    define_pass_settings(settings);
 }
 
 }  // namespace
@@ -156,51 +231,8 @@ void bind_settings(py::module_& m)
     m.def("matte_id", &matte_id, "name"_a, "The number of a name in Cryptomatte's pictures.");
     m.attr("STILES_CRAWFORD_MODES") = names_of(stiles_crawford_modes);
 
-    const LightPathLimits all;
-    py::class_<LightPathLimits>(m, "LightPathLimits",
-                                "What is left out of the paths of light; by default nothing.")
-        .def(py::init(&make_limits), py::kw_only(), "diffuse_bounces"_a = all.diffuse_bounces,
-             "glossy_bounces"_a = all.glossy_bounces,
-             "transmission_bounces"_a = all.transmission_bounces,
-             "volume_bounces"_a = all.volume_bounces,
-             "transparent_bounces"_a = all.transparent_bounces, "reflective_caustics"_a = true,
-             "refractive_caustics"_a = true, "filter_glossy"_a = 0.0f, "clamp_direct"_a = 0.0f,
-             "clamp_indirect"_a = 0.0f,
-             "Bounces of a kind, at most, within max_bounces; surfaces that shadow rays pass\n"
-             "straight. filter_glossy: roughens what is met after a bounce of a density below "
-             "this.\n"
-             "clamp_direct, clamp_indirect: the most that light scattered once, or more often, "
-             "may\n"
-             "bring to a sample; 0 for no limit.");
-
-    py::class_<RenderSettings>(m, "Settings", "How it is rendered.")
-        .def(py::init(&make_settings), py::kw_only(), "samples"_a = 64, "max_bounces"_a = 8,
-             "seed"_a = 0, "sample_range"_a = py::none(), "pattern"_a = "SOBOL",
-             "passes"_a = std::vector<std::string>{"Combined"}, "threads"_a = 0,
-             "film_transparent"_a = false, "film_glass_roughness"_a = py::none(),
-             "exposure"_a = 1.0, "pixel_filter"_a = "BLACKMAN_HARRIS", "filter_width_px"_a = 1.5,
-             "limits"_a = all, "chromatic"_a = false, "stiles_crawford"_a = "OFF",
-             "mist_start"_a = SurfacePassSettings{}.mist_start,
-             "mist_depth"_a = SurfacePassSettings{}.mist_depth, "mist_falloff"_a = "QUADRATIC",
-             "occlusion_distance"_a = SurfacePassSettings{}.occlusion_distance,
-             "pass_alpha_threshold"_a = RenderSettings{}.pass_alpha_threshold,
-             "aovs"_a = std::map<std::string, std::string>{},
-             "sample_range: (first, last), last excluded, in place of samples. threads: 0 for "
-             "all.\n"
-             "film_glass_roughness: glass up to this shows a transparent film, too.\n"
-             "exposure: a factor of all light in the picture. pixel_filter: one of "
-             "PIXEL_FILTERS.\n"
-             "stiles_crawford: 'BRIGHTNESS' (or True) shapes blur alone; with 'ENERGY' the "
-             "picture\n"
-             "darkens to what part of the pupil is as good as its peak, and where the eye loses\n"
-             "rays. For passes: mist from mist_start over mist_depth units, falloff QUADRATIC,\n"
-             "LINEAR or INVERSE_QUADRATIC; how far Ambient Occlusion looks; and below what alpha\n"
-             "Depth and other passes without blur see through a surface. Cryptomatte's pictures "
-             "go\n"
-             "by names such as 'CryptoObject00', those of light groups by 'Combined_' and theirs; "
-             "aovs:\n"
-             "{name: 'VALUE' or 'COLOR'} of values that materials write out.")
-        .def("__repr__", &settings_text);
+    bind_limits(m);
+    bind_render_settings(m);
 }
 
 }  // namespace eye_render

@@ -106,13 +106,13 @@ class BlurEllipse:
 class Eye:
     def __init__(
         self,
+        *,
         model: str = "paraxial",
         rx: Prescription | str = "plano",
         rx_plane: str = "spectacle",
         vertex_mm: float = 12.0,
         pupil_mm: float = 4.0,
         accommodation_d: float = 0.0,
-        *,
         correction: str = "none",
         worn: Prescription | str | None = None,
         near_part: bool = False,
@@ -195,6 +195,36 @@ def pupil_diameter_mm(
     eyes: int = 2,
 ) -> float: ...
 def accommodation_amplitude_d(age_years: float, formula: str = "HOFSTETTER_MEAN") -> float: ...
+
+class EyeDescription:
+    def __init__(
+        self,
+        *,
+        model: str = "paraxial",
+        rx: Prescription | str = "plano",
+        rx_plane: str = "spectacle",
+        vertex_mm: float = 12.0,
+        pupil_mm: float = 4.0,
+        accommodation_d: float = 0.0,
+        correction: str = "none",
+        worn: Prescription | str | None = None,
+        near_part: bool = False,
+        wavefront: Wavefront | None = None,
+        refraction_zero: str = "paraxial",
+        exact_trace: bool = False,
+    ) -> None: ...
+    model: str
+    rx: Prescription | str
+    rx_plane: str
+    vertex_mm: float
+    pupil_mm: float
+    accommodation_d: float
+    correction: str
+    worn: Prescription | str | None
+    near_part: bool
+    wavefront: Wavefront | None
+    refraction_zero: str
+    exact_trace: bool
 
 class ClearRange:
     @property
@@ -382,6 +412,25 @@ class Observer:
         exact_trace: bool = False,
         amplitude_formula: str = "HOFSTETTER_MEAN",
     ) -> None: ...
+    model: str
+    rx: Prescription | str
+    rx_plane: str
+    vertex_mm: float
+    age_years: float
+    pupil: float | str
+    pupil_formula: str
+    cd_m2_per_unit: float
+    luminance_sigma: float
+    field_area_deg2: float | None
+    eyes: int
+    focus: float | str
+    correction: str
+    worn: Prescription | str | None
+    near_part: bool
+    wavefront: Wavefront | None
+    refraction_zero: str
+    exact_trace: bool
+    amplitude_formula: str
 
 class LightPathLimits:
     def __init__(
@@ -398,6 +447,16 @@ class LightPathLimits:
         clamp_direct: float = 0.0,
         clamp_indirect: float = 0.0,
     ) -> None: ...
+    diffuse_bounces: int
+    glossy_bounces: int
+    transmission_bounces: int
+    volume_bounces: int
+    transparent_bounces: int
+    reflective_caustics: bool
+    refractive_caustics: bool
+    filter_glossy: float
+    clamp_direct: float
+    clamp_indirect: float
 
 class Settings:
     def __init__(
@@ -425,6 +484,27 @@ class Settings:
         pass_alpha_threshold: float = 0.5,
         aovs: Mapping[str, str] = ...,
     ) -> None: ...
+    samples: int
+    max_bounces: int
+    seed: int
+    sample_range: tuple[int, int] | None
+    pattern: str
+    passes: Sequence[str]
+    threads: int
+    film_transparent: bool
+    film_glass_roughness: float | None
+    exposure: float
+    pixel_filter: str
+    filter_width_px: float
+    limits: LightPathLimits
+    chromatic: bool
+    stiles_crawford: str | bool
+    mist_start: float
+    mist_depth: float
+    mist_falloff: str
+    occlusion_distance: float
+    pass_alpha_threshold: float
+    aovs: Mapping[str, str]
 
 class Session:
     def __init__(self, scene: Scene, observer: Observer, settings: Settings) -> None: ...

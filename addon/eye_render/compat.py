@@ -21,9 +21,12 @@ def inline_shader_nodes(datablock: bpy.types.ID) -> object:
 
     The caller keeps the object for as long as it reads the tree: it owns the tree.
     """
-    if hasattr(datablock, "inline_shader_nodes"):
-        return datablock.inline_shader_nodes()
-    return datablock
+    if not hasattr(datablock, "inline_shader_nodes"):
+        return datablock
+    inlined = datablock.inline_shader_nodes()
+    # Blender 5.2 leaves out outputs that are for one engine alone, with all that feeds them.
+    has_output = inlined.node_tree.get_output_node("CYCLES") is not None
+    return inlined if has_output else datablock
 
 
 def node_name(node: bpy.types.Node) -> str:

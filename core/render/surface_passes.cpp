@@ -56,6 +56,15 @@ void add_aov(PassValues& values,
 
 }  // namespace
 
+std::string_view to_string(MistFalloff falloff)
+{
+    switch (falloff) {
+    case MistFalloff::Quadratic: return "QUADRATIC";
+    case MistFalloff::InverseQuadratic: return "INVERSE_QUADRATIC";
+    default: return "LINEAR";
+    }
+}
+
 float mist_at(float distance, const SurfacePassSettings& settings)
 {
     const float linear =

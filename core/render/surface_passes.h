@@ -6,10 +6,19 @@
 #include "render/sample_sequence.h"
 #include "scene/scene.h"
 
+#include <array>
+#include <string_view>
+
 namespace eye_render {
 
 // How the mist thickens from where it begins to where it is full.
 enum class MistFalloff { Quadratic, Linear, InverseQuadratic };
+
+inline constexpr std::array mist_falloffs{MistFalloff::Quadratic, MistFalloff::Linear,
+                                          MistFalloff::InverseQuadratic};
+
+// "QUADRATIC", "LINEAR", "INVERSE_QUADRATIC".
+[[nodiscard]] std::string_view to_string(MistFalloff falloff);
 
 struct SurfacePassSettings {
     // Distances from the eye, scene units.

@@ -32,7 +32,7 @@ class RayError:
 def make_eye(model: str, **more) -> eyecore.Eye:
     if model == "wavefront":
         more["wavefront"] = wavefront()
-    return eyecore.Eye(model, rx=RX, rx_plane="entrance_pupil", pupil_mm=PUPIL_MM, **more)
+    return eyecore.Eye(model=model, rx=RX, rx_plane="entrance_pupil", pupil_mm=PUPIL_MM, **more)
 
 
 def wavefront() -> eyecore.Wavefront:

@@ -79,6 +79,7 @@ def write_multilayer(scene: bpy.types.Scene, path: str) -> None:
     settings = scene.render.image_settings
     if hasattr(settings, "media_type"):  # from Blender 5.0
         settings.media_type = "MULTI_LAYER_IMAGE"
+        settings.use_exr_interleave = True  # one part: oiiotool takes channels of the first alone
     settings.file_format = "OPEN_EXR_MULTILAYER"
     scene.render.filepath = path
 

@@ -67,7 +67,7 @@ def test_what_cannot_be_rendered_exits_with_status_1_and_no_picture(
     ("error", "sentence"),
     [
         ("KeyError('broken on purpose')", "broken on purpose"),
-        ("FileNotFoundError(2, 'No such file', '/gone.txt')", "Error: /gone.txt: No such file"),
+        ("FileNotFoundError(2, 'No such file', '/gone.txt')", "/gone.txt: No such file"),
     ],
 )
 def test_an_exception_inside_the_render_exits_with_status_1_and_no_picture(

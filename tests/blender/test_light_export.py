@@ -109,7 +109,10 @@ def test_a_mirrored_lamp_keeps_its_direction(export):
 
 
 def test_a_lamp_without_nodes_has_no_surface(export):
-    assert not hasattr(export("POINT"), "surface")
+    lamp = export("POINT")
+    if bpy.data.lights[0].use_nodes:
+        pytest.skip("this Blender's lamps always use nodes")
+    assert not hasattr(lamp, "surface")
 
 
 def test_a_lamps_tree_is_its_surface(tree_lamp):

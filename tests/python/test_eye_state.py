@@ -48,7 +48,9 @@ def test_what_aberrations_leave_to_be_wanted_is_told() -> None:
     (told,) = near.warnings
     assert told.startswith("focus: seeing sharply at 0.1 m takes ")
     needed_d = float(told.split("takes ")[1].split(" D")[0])
-    eye = eyecore.Eye("wavefront", pupil_mm=PUPIL_MM, wavefront=eyecore.Wavefront.population(6.0))
+    eye = eyecore.Eye(
+        model="wavefront", pupil_mm=PUPIL_MM, wavefront=eyecore.Wavefront.population(6.0)
+    )
     assert needed_d == pytest.approx(10.0 - eye.best_focus_d, abs=0.02)
 
     _, far = session(math.inf, "wavefront", rx="-2.00DS")
@@ -61,7 +63,7 @@ def test_what_aberrations_leave_to_be_wanted_is_told() -> None:
 def test_far_point_is_that_of_the_clear_range(model: str) -> None:
     more = {"wavefront": eyecore.Wavefront.population(PUPIL_MM)} if model == "wavefront" else {}
     eye = eyecore.Eye(
-        model, rx="-2.00DS -1.00DC 30A", rx_plane="entrance_pupil", pupil_mm=PUPIL_MM, **more
+        model=model, rx="-2.00DS -1.00DC 30A", rx_plane="entrance_pupil", pupil_mm=PUPIL_MM, **more
     )
     far_d = eyecore.clear_ranges(eye, eye)[0].far_d
     assert 1.0 / eye.far_point_m == pytest.approx(far_d, abs=1e-12)
@@ -136,7 +138,7 @@ def test_rays_on_the_pupils_edge_are_not_refused() -> None:
 
 def test_a_lost_ray_says_what_became_of_it() -> None:
     assert eyecore.RAY_FATES == ["transmitted", "vignetted", "missed", "total_reflection"]
-    eye = eyecore.Eye("navarro", pupil_mm=8.0, exact_trace=True)
+    eye = eyecore.Eye(model="navarro", pupil_mm=8.0, exact_trace=True)
     slope = math.tan(math.radians(75.0))
     points_m = np.stack([np.linspace(-4e-3, 4e-3, 101), np.zeros(101)], axis=1)
     _, _, weight, fate = eye.rays([[slope, 0.0]] * 101, points_m)

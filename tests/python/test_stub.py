@@ -33,6 +33,22 @@ def test_classes_and_stub_have_the_same_members() -> None:
             assert expected == public(getattr(eyecore, node.name)), node.name
 
 
+def options(thing: type) -> set[str]:
+    return {name for name, item in vars(thing).items() if getattr(item, "fset", None)}
+
+
+def test_constructors_take_the_options_that_can_be_set() -> None:
+    described_by = {"Eye": eyecore.EyeDescription}
+    for node in STUB.body:
+        if (
+            isinstance(node, ast.ClassDef)
+            and "**kwargs" in getattr(eyecore, node.name).__init__.__doc__
+        ):
+            (made,) = (m for m in node.body if getattr(m, "name", "") == "__init__")
+            taken = {argument.arg for argument in made.args.kwonlyargs}
+            assert taken == options(described_by.get(node.name, getattr(eyecore, node.name)))
+
+
 def test_stub_and_docstrings_name_the_same_arguments() -> None:
     """pybind11 writes a signature into each docstring."""
     for node in STUB.body:
@@ -42,6 +58,8 @@ def test_stub_and_docstrings_name_the_same_arguments() -> None:
             if any(isinstance(d, ast.Name) and d.id == "property" for d in method.decorator_list):
                 continue
             documented = getattr(getattr(eyecore, node.name), method.name).__doc__
+            if "**kwargs" in documented:
+                continue
             for argument in (*method.args.args, *method.args.kwonlyargs):
                 if argument.arg != "self":
                     assert argument.arg in documented, f"{node.name}.{method.name}"
