@@ -196,7 +196,9 @@ def _still_life(scene) -> None:
     lamp = quad_mesh(size=0.4)
     lamp.materials.append(emitter((1.0, 0.5, 0.2)))
     add_object(lamp).location = (0.0, 0.5, -1.5)
-    _world(scene).color = (0.2, 0.3, 0.4)
+    world = _world(scene)
+    world.use_nodes = True
+    world.node_tree.nodes["Background"].inputs["Color"].default_value = (0.2, 0.3, 0.4, 1.0)
 
 
 def _render(scene, tmp_path) -> Callable[[str], np.ndarray]:
