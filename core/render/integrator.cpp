@@ -1,5 +1,6 @@
 #include "render/integrator.h"
 
+#include "base/magnitude.h"
 #include "render/multiple_importance.h"
 #include "render/path_walk.h"
 #include "render/shadow.h"
@@ -158,7 +159,7 @@ private:
 
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
     {
-        if (max_component(emission) > 0.0f) {
+        if (is_light(emission)) {
             const float light_pdf = last_->is_delta ? 0.0f : scene_.emitter_pdf(hit, last_->point);
             light_.add(throughput_ * emission * last_->weight_against(light_pdf),
                        {.group = hit.placement->light_group}, path_.depth);

@@ -1,5 +1,6 @@
 #include "render/medium_light.h"
 
+#include "base/magnitude.h"
 #include "render/free_flight.h"
 #include "render/multiple_importance.h"
 
@@ -76,7 +77,7 @@ ScatteredLight sample_scattered_light(const Scene& scene,
     Color3f scattered = throughput * medium.transmittance(place.distance) *
                         medium.scattered(turned) * light->radiance *
                         (weight / (light->pdf * place.pdf));
-    if (light->casts_shadow && max_component(scattered) > 0.0f) {
+    if (light->casts_shadow && is_light(scattered)) {
         MediumStack media = segment.media;
         scattered *= scene.transmittance({.origin = p_world,
                                           .direction = light->wi,

@@ -1,4 +1,5 @@
 #include "render/path_light.h"
+#include "base/magnitude.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,10 +18,11 @@ namespace {
     return {share_of(part.x, whole.x), share_of(part.y, whole.y), share_of(part.z, whole.z)};
 }
 
-// To a mean of that, its hue kept; 0 for no limit.
+// To a mean of that, its hue and sign kept; 0 for no limit.
 [[nodiscard]] Color3f clamped(const Color3f& light, float most)
 {
-    const float mean = (light.x + light.y + light.z) / 3.0f;
+    const Color3f size = magnitude(light);
+    const float mean = (size.x + size.y + size.z) / 3.0f;
     return most > 0.0f && mean > most ? light * (most / mean) : light;
 }
 
@@ -48,7 +50,7 @@ void PathLight::add(const Color3f& light,
 {
     const Color3f contribution = clamped(light, bounces > 1 ? clamp_indirect_ : clamp_direct_);
     // False for NaN and infinity, too, which one bad texture pixel can bring.
-    if (!(max_component(contribution) > 0.0f &&
+    if (!(is_light(contribution) &&
           std::isfinite(contribution.x + contribution.y + contribution.z))) {
         return;
     }

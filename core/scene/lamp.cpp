@@ -17,6 +17,7 @@
 #include "scene/lamp.h"
 
 #include "base/error.h"
+#include "base/magnitude.h"
 #include "shading/frame.h"
 
 #include <cmath>
@@ -63,7 +64,7 @@ void check(const LampSettings& settings)
         }
     }
     for (int i = 0; i < 3; ++i) {
-        require_range("color", settings.color[i], 0.0, largest, "W");
+        require_range("color", settings.color[i], -largest, largest, "W");
     }
     require_range("radius", settings.radius, 0.0, largest, "");
     require_range("angle_rad", settings.angle_rad, 0.0, straight_angle_rad, "rad");
@@ -157,7 +158,7 @@ Lamp make_lamp(const LampSettings& settings)
 
 float lamp_peak_intensity(const Lamp& lamp)
 {
-    const float emission = luminance(lamp.emission) * lamp.brightness;
+    const float emission = luminance(magnitude(lamp.emission)) * lamp.brightness;
     if (lamp.is_delta) {
         return emission;
     }

@@ -24,7 +24,8 @@ struct LampSettings {
     LampKind kind = LampKind::Point;
     M44f world_from_light{};   // row-vector convention; its scale stretches area lamps and spot
                                // cones
-    Color3f color{0.0f};       // colour times energy: W, for the sun W/m^2
+    Color3f color{0.0f};       // colour times energy: W, for the sun W/m^2; negative takes light
+                               // away
     float radius = 0.0f;       // point and spot, scene units; 0 is a delta lamp
     bool soft_falloff = true;  // point and spot: a disk turned to the lit point, or a sphere
     float angle_rad = 0.0f;    // sun: full angle that its disk subtends; 0 is a delta lamp
@@ -57,8 +58,10 @@ struct Lamp {
     V3f axis_y{0.0f, 1.0f, 0.0f};
     V3f axis_z{0.0f, 0.0f, 1.0f};  // the light leaves along -axis_z
     Visibility visibility{.to_camera = false};
-    float brightness = 1.0f;  // luminance of what its nodes multiply the emission by, at the most
-    // Peak radiance; for delta lamps radiant intensity (point, spot) or irradiance (sun).
+    // Luminance of what its nodes multiply the emission by, at the most and whatever its sign.
+    float brightness = 1.0f;
+    // Peak radiance, or trough; for delta lamps radiant intensity (point, spot) or irradiance
+    // (sun).
     Color3f emission{0.0f};
     float radius = 0.0f;  // point and spot
     float half_x = 0.0f;  // area: half extents, scaled
@@ -109,8 +112,8 @@ struct LampHit {
     return shape_factor * lamp.half_x * lamp.half_y;
 }
 
-// Luminance of the radiant intensity along the brightest direction; for the sun, of the
-// irradiance. Divided by the squared distance it is the most that a far point can get.
+// Luminance of the radiant intensity along the brightest direction, whatever its sign; for the
+// sun, of the irradiance. Divided by the squared distance it is the most that a far point can get.
 [[nodiscard]] float lamp_peak_intensity(const Lamp& lamp);
 
 }  // namespace eye_render

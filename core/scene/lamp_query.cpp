@@ -1,5 +1,6 @@
 // What a point sees of a lamp: the sampled direction, and the lamp that a ray meets.
 
+#include "base/magnitude.h"
 #include "base/warp.h"
 #include "scene/lamp_shapes.h"
 #include "shading/frame.h"
@@ -48,7 +49,7 @@ std::optional<LampSample> sample_lamp(const Lamp& lamp, const V3f& p_world, cons
     const std::optional<LampSample> sample = lamp.kind == LampKind::Area
                                                  ? sample_area_lamp(lamp, to_lamp, u)
                                                  : sample_point_lamp(lamp, to_lamp, u);
-    return sample && max_component(sample->radiance) > 0.0f ? sample : std::nullopt;
+    return sample && is_light(sample->radiance) ? sample : std::nullopt;
 }
 
 std::optional<LampHit> lamp_hit(const Lamp& lamp,
@@ -67,7 +68,7 @@ std::optional<LampHit> lamp_hit(const Lamp& lamp,
     case LampKind::Point:
     case LampKind::Spot: hit = hit_point_lamp(lamp, to_lamp, direction); break;
     }
-    const bool lights = hit && hit->t <= t_max && max_component(hit->radiance) > 0.0f;
+    const bool lights = hit && hit->t <= t_max && is_light(hit->radiance);
     return lights ? hit : std::nullopt;
 }
 

@@ -1,5 +1,6 @@
 // The lamps of a scene, and what their nodes make of their light.
 
+#include "base/magnitude.h"
 #include "base/sobol.h"
 #include "base/warp.h"
 #include "scene/light_path.h"
@@ -65,7 +66,8 @@ float Scene::brightest_factor(std::uint32_t index) const
         const V3f wi = sample_uniform_sphere({u[0], u[1]});
         const LampSight sight{
             .p_lit_world = lamps_[index].position - wi, .wi = wi, .distance = 1.0f};
-        brightest = std::max(brightest, luminance(lamp_factor(index, sight, light_path)));
+        brightest =
+            std::max(brightest, luminance(magnitude(lamp_factor(index, sight, light_path))));
     }
     return brightest > 0.0f ? brightest : 1.0f;
 }

@@ -1,5 +1,6 @@
 // The lights of a scene: which triangles shine, and light sampling with its densities.
 
+#include "base/magnitude.h"
 #include "base/warp.h"
 #include "scene/light_path.h"
 #include "scene/mesh_attributes.h"
@@ -47,7 +48,7 @@ void Scene::add_emitters(std::vector<EmissiveTriangle>& triangles)
             const V3f normal = emitter_normal(emitter);
             for (const V2f& weights : probes) {
                 for (const float side : {1.0f, -1.0f}) {
-                    estimate += luminance(emission(emitter, weights, normal * side)) /
+                    estimate += luminance(magnitude(emission(emitter, weights, normal * side))) /
                                 (2.0f * probes.size());
                 }
             }

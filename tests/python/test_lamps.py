@@ -38,6 +38,19 @@ def test_nodes_of_a_lamp_multiply_its_light() -> None:
     assert lit_wall(surface=even["Emission"]) == pytest.approx(plain * 4.0, rel=0.05)
 
 
+def test_a_negative_lamp_takes_light_away() -> None:
+    plain = lit_wall()
+    graph = eyecore.NodeGraph()
+    negative = graph.add("EMISSION", {"Color": (1.0, 0.5, 0.0), "Strength": -1.0})
+    assert lit_wall(surface=negative["Emission"]) == pytest.approx(plain * [-1.0, -0.5, 0.0])
+    falloff = graph.add("LIGHT_FALLOFF", {"Strength": -1.0})
+    even = graph.add("EMISSION", {"Strength": falloff["Constant"]})
+    assert lit_wall(surface=even["Emission"]) == pytest.approx(plain * -4.0, rel=0.05)
+    # A wide one, which the camera's rays meet: of the wall and of itself nothing is lost.
+    seen = lit_wall(surface=negative["Emission"], radius=0.5, hidden_from=[])
+    assert seen[0] == pytest.approx(-lit_wall(radius=0.5, hidden_from=[])[0], rel=0.02)
+
+
 def test_a_lamp_hidden_from_diffuse_lights_no_wall() -> None:
     assert lit_wall(hidden_from=["DIFFUSE"]) == pytest.approx(0.0)
     assert lit_wall(hidden_from=["GLOSSY", "TRANSMISSION"]) == pytest.approx(lit_wall())

@@ -9,6 +9,23 @@ namespace eye_render {
 
 namespace {
 
+// Of either sign, and small enough for products of a few to stay finite; 0 for NaN.
+float signed_range(float value)
+{
+    return value < 0.0f ? -positive_range(-value) : positive_range(value);
+}
+
+Color3f signed_range(const Color3f& c)
+{
+    return {signed_range(c.x), signed_range(c.y), signed_range(c.z)};
+}
+
+bool is_constantly_dark(ConstantInputs constants, std::size_t input)
+{
+    const std::optional<NodeValue>& value = constants[input];
+    return value && value->x == 0.0f && value->y == 0.0f && value->z == 0.0f;
+}
+
 // Of a material or a lamp; the world's is called Background.
 class EmissionNode : public ClosureNode {
 public:
@@ -18,8 +35,8 @@ public:
 
     [[nodiscard]] ClosureFacts facts(ConstantInputs constants) const override
     {
-        return {.may_emit = !is_constantly_zero(constants, Color) &&
-                            !is_constantly_zero(constants, Strength)};
+        return {.may_emit = !is_constantly_dark(constants, Color) &&
+                            !is_constantly_dark(constants, Strength)};
     }
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
@@ -29,13 +46,14 @@ public:
 
     void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
     {
-        medium.emission += emission(in) * weight;
+        medium.emission += positive_range(emission(in)) * weight;
     }
 
+    // What is negative takes light away, as in Cycles.
     [[nodiscard]] Color3f emission(const NodeInputs& in) const override
     {
-        const float strength = positive_range(in.number(Strength));
-        return strength > 0.0f ? positive_range(in.color(Color)) * strength : Color3f(0.0f);
+        const float strength = signed_range(in.number(Strength));
+        return strength != 0.0f ? signed_range(in.color(Color)) * strength : Color3f(0.0f);
     }
 };
 

@@ -335,3 +335,51 @@ def panel_hidden_from_diffuse():
 def panel_hidden_from_glossy():
     """A shining mesh that metal does not mirror"""
     panel(glossy=True)
+
+
+@feature()
+def negative():
+    """A lamp of negative energy, which takes light away beside a sun"""
+    lit_by("SUN", 3.0, angle=0.2)
+    lamp("POINT", -60.0, (1.2, -1.6, 1.6), shadow_soft_size=0.2)
+
+
+@feature(bounces=1)
+def negative_in_a_mirror():
+    """What a mirror shows of an area lamp of negative energy, in front of a bright sky"""
+    mirroring_ball()
+    world((0.6, 0.6, 0.6))
+    lamp("AREA", -8.0, (-1.8, -2.0, 2.2), BALL_CENTRE, shape="SQUARE", size=1.5)
+
+
+def shine(tree: Tree, strength: float) -> None:
+    """Orange, with a strength that only a link can make negative."""
+    negative = tree.math("MULTIPLY", strength, 1.0)
+    tree.surface("Emission", {"Color": (1.0, 0.6, 0.3), "Strength": negative})
+
+
+@feature()
+def negative_nodes():
+    """A lamp whose nodes shine with a negative strength, beside a sun"""
+    lit_by("SUN", 3.0, angle=0.2)
+    shown = lamp("POINT", 60.0, (1.2, -1.6, 1.6), shadow_soft_size=0.2)
+    shown.data.use_nodes = True
+    shine(Tree(shown.data), -1.0)
+
+
+@feature(bounces=1)
+def negative_mesh():
+    """A rectangle that shines with a negative strength, beside a sun"""
+    lit_by("SUN", 3.0, angle=0.2)
+    tree = new_tree()
+    shine(tree, -3.0)
+    shown = add(dressed(grid_mesh(1, 1, (0.8, 0.8)), tree.datablock), (1.4, -1, 1.6))
+    shown.rotation_euler = (0.5, 2.5, 0.0)
+
+
+@feature()
+def portal():
+    """An area lamp that is a portal, which shines not, beside a sun"""
+    lit_by("SUN", 3.0, angle=0.2)
+    shown = lamp("AREA", 60.0, (1.2, -1.6, 1.6), shape="SQUARE", size=1.0)
+    shown.data.cycles.is_portal = True
