@@ -92,12 +92,41 @@ def draw_light_extras(layout: bpy.types.UILayout, light: bpy.types.Light) -> Non
             layout.prop(light, "temperature")
 
 
-def shutter_position(scene: bpy.types.Scene) -> str:
-    """Where the frame lies in the time that the shutter is open: START, CENTER or END."""
+def shutter_position_switch(scene: bpy.types.Scene) -> tuple[bpy.types.bpy_struct, str] | None:
+    """What says where the frame lies in the time that the shutter is open, START, CENTER or END:
+    holder and name of the property."""
     for owner in (scene.render, cycles_settings.of(scene)):  # Blender's own since 4.2
         if hasattr(owner, "motion_blur_position"):
-            return owner.motion_blur_position
-    return "CENTER"
+            return owner, "motion_blur_position"
+    return None
+
+
+def shutter_position(scene: bpy.types.Scene) -> str:
+    switch = shutter_position_switch(scene)
+    return getattr(*switch) if switch else "CENTER"
+
+
+def has_transparent_shadow(material: bpy.types.Material) -> bool:
+    """Whether the shadow of what is see-through is, too."""
+    for owner in (material, cycles_settings.of(material)):  # Blender's own since 4.2
+        if hasattr(owner, "use_transparent_shadow"):
+            return owner.use_transparent_shadow
+    return True
+
+
+def linked_collections(shown: bpy.types.Object) -> list[tuple[str, bpy.types.Collection]]:
+    """Of light linking, from Blender 4.0: what the object lights alone, and what alone throws
+    shadows in its light."""
+    linking = getattr(shown, "light_linking", None)
+    kinds = (("receivers", "receiver_collection"), ("blockers", "blocker_collection"))
+    found = ((kind, getattr(linking, name, None)) for kind, name in kinds)
+    return [(kind, collection) for kind, collection in found if collection is not None]
+
+
+def working_space() -> str:
+    """The colours that Blender's numbers are: another one only from Blender 5.0."""
+    colorspace = getattr(bpy.data, "colorspace", None)
+    return getattr(colorspace, "working_space", "Linear Rec.709")
 
 
 def vertex_positions(mesh: bpy.types.Mesh) -> np.ndarray:

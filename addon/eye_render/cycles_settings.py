@@ -14,9 +14,20 @@ def of(owner: bpy.types.bpy_struct) -> bpy.types.PropertyGroup | None:
     return getattr(owner, "cycles", None)
 
 
+def curves(scene: bpy.types.Scene) -> bpy.types.PropertyGroup | None:
+    return getattr(scene, "cycles_curves", None)
+
+
+RAYS_OF_WORLD = ("camera", "diffuse", "glossy", "transmission", "scatter")
+
+
+def visibility(world: bpy.types.World) -> bpy.types.PropertyGroup | None:
+    """Which of the `RAYS_OF_WORLD` see the world."""
+    return getattr(world, "cycles_visibility", None)
+
+
 def sees_world(world: bpy.types.World, rays: str) -> bool:
-    """Whether rays of the kind ("camera", "diffuse", ...) see the world."""
-    return getattr(getattr(world, "cycles_visibility", None), rays, True)
+    return getattr(visibility(world), rays, True)
 
 
 def is_portal(light: bpy.types.Light) -> bool:

@@ -1,11 +1,16 @@
+from types import SimpleNamespace
+
 import bpy
 import numpy as np
 import pytest
+from eye_render import compat
 from eye_render.cryptomatte import MatteNames
+from eye_render.export import export_scene
 from eye_render.export.image import ImageTable
 from eye_render.export.instances import export_instances
 from eye_render.export.light import LightTable
 from eye_render.export.material import MaterialTable
+from eye_render.export.object_properties import PropertyReader
 from scenes import (
     RecordingScene,
     add_node,
@@ -305,3 +310,55 @@ def test_particles_tell_what_places_an_instance(scene, properties_of):
         assert row[4][0] == pytest.approx(0.25)
         assert row[5][:3] == pytest.approx(list(particle.location))
         assert np.linalg.norm(row[6][:3]) == pytest.approx(2.0, rel=0.01)
+
+
+def test_grease_pencil_is_said_to_be_drawn_by_blender(scene, export):
+    if bpy.app.version < (4, 3, 0):
+        bpy.ops.object.gpencil_add(type="STROKE")
+    else:
+        bpy.ops.object.grease_pencil_add(type="STROKE")
+    (warning,) = export().warnings
+    assert "drawn over the picture by Blender" in warning
+
+
+def test_light_linking_is_named(scene, export, monkeypatch):
+    add_object(quad_mesh(), "Panel")
+    linked = [("receivers", SimpleNamespace(name="Shelf"))]
+    monkeypatch.setattr(compat, "linked_collections", lambda _shown: linked)
+    (warning,) = export().warnings
+    assert "'Panel' to the receivers 'Shelf'" in warning
+
+
+def test_light_linkings_collections_are_those_that_blender_has_set():
+    shelf = SimpleNamespace(name="Shelf")
+    linking = SimpleNamespace(receiver_collection=None, blocker_collection=shelf)
+    shown = SimpleNamespace(light_linking=linking)
+    assert compat.linked_collections(shown) == [("blockers", shelf)]
+    assert compat.linked_collections(SimpleNamespace()) == []
+
+
+def test_another_working_space_is_said(scene, depsgraph_of, monkeypatch):
+    warnings = []
+    export_scene(depsgraph_of(), warnings.append, lambda: None)
+    assert warnings == []
+    monkeypatch.setattr(compat, "working_space", lambda: "ACEScg")
+    export_scene(depsgraph_of(), warnings.append, lambda: None)
+    (warning,) = warnings
+    assert "ACEScg" in warning
+
+
+def test_what_geometry_nodes_give_to_instances_is_named_as_not_read(scene, depsgraph_of):
+    parent = add_object(quad_mesh(), "Field")
+    parent["known"] = 3.0
+    warnings = []
+    reader = PropertyReader(depsgraph_of(), warnings.append)
+    instance = SimpleNamespace(is_instance=True, parent=parent, object=parent)
+    tint = ".eye_render.instancer.tint"
+    assert reader.value(instance, tint) == (0.0,) * 4
+    assert warnings == []
+    parent.modifiers.new("Nodes", "NODES")
+    assert reader.value(instance, ".eye_render.instancer.known")[0] == 3.0
+    assert warnings == []
+    assert reader.value(instance, tint) == (0.0,) * 4
+    (warning,) = warnings
+    assert "'tint' of the instances that 'Field' makes" in warning

@@ -171,6 +171,19 @@ def test_a_profile_is_read_from_a_text_or_a_file(tree_lamp, tmp_path):
     assert warnings + more == []
 
 
+def test_a_profile_is_found_by_the_path_of_another_system(tree_lamp, tmp_path):
+    light, emission = tree_lamp
+    node = add_node(light, "ShaderNodeTexIES")
+    link(light, node.outputs["Fac"], emission.inputs["Strength"])
+    (tmp_path / "lamps").mkdir()
+    (tmp_path / "lamps" / "profile.ies").write_text(PROFILE)
+    bpy.ops.wm.save_as_mainfile(filepath=str(tmp_path / "scene.blend"))
+    node.mode, node.filepath = "EXTERNAL", "//lamps\\profile.ies"
+    exported, warnings = exported_tree()
+    assert exported.surface.node.inputs["Strength"].node.options == {"ies": PROFILE}
+    assert warnings == []
+
+
 def test_a_missing_profile_is_named_and_shines_as_in_cycles(tree_lamp):
     light, emission = tree_lamp
     node = add_node(light, "ShaderNodeTexIES", name="Downlight")

@@ -105,6 +105,18 @@ def test_displacement_goes_with_the_surface(export):
     assert exported.warnings == []
 
 
+def test_a_shadow_is_opaque_if_the_material_says_so(export):
+    material = node_material()
+    surface(material, "ShaderNodeBsdfTransparent")
+    in_cycles = not hasattr(material, "use_transparent_shadow")
+    (material.cycles if in_cycles else material).use_transparent_shadow = False
+    mix = export(material).surface.node
+    assert mix.kind == "MIX_SHADER"
+    assert mix.inputs["Fac"].identifier == "Is Shadow Ray"
+    assert mix.inputs["Shader"].node.kind == "BSDF_TRANSPARENT"
+    assert mix.inputs["Shader_001"].node.inputs["Color"] == (0.0, 0.0, 0.0)
+
+
 @pytest.mark.parametrize("method", ["DISPLACEMENT", "BOTH"])
 def test_displacement_of_the_surface_itself_is_named(export, method):
     material = node_material("Rock")
@@ -188,3 +200,14 @@ def test_the_view_layers_override_replaces_every_material(scene, depsgraph_of):
     table = MaterialTable(core_scene, ImageTable(core_scene, 1, print), override, print)
     table.worn_by(shown)
     assert [material.name for material in core_scene.materials] == ["Clay"]
+
+
+def test_the_name_for_cryptomatte_is_without_the_library(export, table, tmp_path):
+    node_material("Rock").use_fake_user = True
+    library = str(tmp_path / "library.blend")
+    bpy.data.libraries.write(library, {bpy.data.materials["Rock"]})
+    bpy.data.materials.remove(bpy.data.materials["Rock"])
+    with bpy.data.libraries.load(library, link=True) as (_, linked):
+        linked.materials = ["Rock"]
+    assert export(linked.materials[0]).name == "Rock"
+    assert table[0].names == {"Rock"}

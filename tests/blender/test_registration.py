@@ -7,11 +7,15 @@ EXPECTED_PANELS = {
     "DATA_PT_lens",
     "EEVEE_MATERIAL_PT_context_material",
     "EEVEE_MATERIAL_PT_surface",
+    "EEVEE_MATERIAL_PT_volume",
+    "EEVEE_WORLD_PT_mist",
     "EEVEE_WORLD_PT_surface",
+    "EEVEE_WORLD_PT_volume",
     "RENDER_PT_format",
     "RENDER_PT_output",
+    "RENDER_PT_simplify",
 }
-DEAD_PANELS = {"DATA_PT_camera_dof", "RENDER_PT_freestyle", "RENDER_PT_simplify", "DATA_PT_light"}
+DEAD_PANELS = {"DATA_PT_camera_dof", "RENDER_PT_freestyle", "DATA_PT_light"}
 
 
 def opened_panels() -> set[str]:
@@ -26,6 +30,21 @@ def test_blenders_own_panels_are_open_to_the_engine():
     panels = opened_panels()
     assert panels >= EXPECTED_PANELS
     assert not panels & DEAD_PANELS
+
+
+def test_there_is_a_panel_for_each_setting_that_blender_shows_by_engine():
+    settings = {
+        "motion_blur": "render",
+        "curves": "render",
+        "performance": "render",
+        "filter": "view_layer",
+        "ray_visibility": "object",
+        "object_motion_blur": "object",
+        "world_ray_visibility": "world",
+        "occlusion": "world",
+    }
+    for name, tab in settings.items():
+        assert getattr(bpy.types, f"EYE_RENDER_PT_{name}").bl_context == tab
 
 
 def test_unregistering_leaves_nothing_behind_and_registering_brings_all_back():

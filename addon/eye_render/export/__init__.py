@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import core, passes
+from .. import compat, core, passes
 from ..cryptomatte import MatteNames
 from .image import ImageTable
 from .instances import export_instances
@@ -26,6 +26,11 @@ def export_scene(
     what was found while the shutter is open, if anybody looked.
     """
     core_scene = core.require().Scene()
+    if compat.working_space() != "Linear Rec.709":
+        warn(
+            f"Blender's working space is {compat.working_space()}, but pictures and the eye's "
+            "luminances are taken as Linear Rec.709"
+        )
     images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
     view_layer = depsgraph.view_layer_eval
     materials = MaterialTable(

@@ -3,14 +3,14 @@
 import bpy
 import numpy as np
 
-from .. import compat
+from .. import compat, cycles_settings
 from .attributes import attribute_values
 from .pose import Pose, motion_arguments
 
 
 def core_shape(scene: bpy.types.Scene) -> str:
     """The core's name of how Cycles would show strands; flat ribbons are Blender's default."""
-    settings = getattr(scene, "cycles_curves", None)
+    settings = cycles_settings.curves(scene)
     shapes = {"THICK": "ROUND", "THICK_LINEAR": "ROUND_LINEAR"}
     return shapes.get(settings.shape if settings else "", "RIBBON")
 

@@ -8,6 +8,11 @@ import bpy
 _UDIM, _UV = "<UDIM>", "<UVTILE>"
 
 
+def absolute(path: str, owner: bpy.types.ID) -> Path:
+    """What a datablock's path means: it may be relative to a library's file, and of Windows."""
+    return Path(bpy.path.abspath(path, library=owner.library).replace("\\", "/")).resolve()
+
+
 def of_image(image: bpy.types.Image) -> Path:
     # Where Blender itself looks: it also reads the backslashes of files from Windows.
     return Path(image.filepath_from_user()).resolve()
@@ -46,5 +51,4 @@ def of_tile(image: bpy.types.Image, number: int) -> Path:
 
 
 def _path(image: bpy.types.Image) -> Path:
-    path = bpy.path.abspath(image.filepath, library=image.library)
-    return Path(path.replace("\\", "/")).resolve()
+    return absolute(image.filepath, image)

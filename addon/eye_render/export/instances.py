@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from .. import core, cryptomatte, passes
+from .. import compat, core, cryptomatte, passes
 from .light import LightTable
 from .material import MaterialTable
 from .motion import Key, Motion, key_of, steps_of
@@ -20,6 +20,8 @@ from .visibility import Visibility, light_group_of, visibility_of
 
 # What Blender also lists beside the mesh that it evaluated from it.
 _SHOWN_AS_MESH = {"CURVE", "SURFACE", "FONT", "META"}
+# Kinds that Blender itself draws over the picture of any engine, as they are called by version.
+_DRAWN_BY_BLENDER = {"GPENCIL", "GREASEPENCIL"}
 _NOT_GEOMETRY = {"EMPTY", "CAMERA", "ARMATURE", "LATTICE", "SPEAKER", "LIGHT_PROBE"}
 
 
@@ -107,13 +109,14 @@ class _Collector:
         self._has_names = bool(passes.cryptomatte_kinds(depsgraph.view_layer_eval))
         self._warn = warn
         self._motion = motion
-        self._reader = PropertyReader(depsgraph)
+        self._reader = PropertyReader(depsgraph, warn)
 
     def groups_of(
         self, instance: bpy.types.DepsgraphObjectInstance, placer: bpy.types.Object
     ) -> list[_Group]:
         """One for each geometry that the object brings."""
         shown, motion = instance.object, self._motion
+        _warn_of_light_linking(shown, self._warn)
         if _is_smoke(shown):
             self._warn(
                 f"Smoke of '{shown.name}' is left out: it varies in space, which is not supported"
@@ -168,6 +171,7 @@ def export_instances(
             continue
         placer = instance.parent if instance.is_instance else shown
         if shown.type == "LIGHT":
+            _warn_of_light_linking(shown, warn)
             seen = visibility_of(shown, placer, depsgraph.view_layer_eval)
             light_group = light_group_of(shown, placer, depsgraph.view_layer_eval)
             lights.add(shown, instance.matrix_world, seen.hidden_from, light_group)
@@ -179,6 +183,8 @@ def export_instances(
                 groups[key] = collector.groups_of(instance, placer)
             for group in groups[key]:
                 group.append(instance)
+        elif shown.type in _DRAWN_BY_BLENDER:
+            warn(f"Grease Pencil '{shown.name}' is drawn over the picture by Blender, and sharp")
         elif shown.type not in _SHOWN_AS_MESH | _NOT_GEOMETRY:
             kind = shown.bl_rna.properties["type"].enum_items[shown.type].name
             warn(f"{kind} '{shown.name}' is left out: this kind of object is not supported")
@@ -250,6 +256,14 @@ def _as_array(matrices: list[Matrix]) -> np.ndarray:
     rows = chain.from_iterable(matrices)
     numbers = chain.from_iterable(rows)
     return np.fromiter(numbers, np.float64, 16 * len(matrices)).reshape(-1, 4, 4)
+
+
+def _warn_of_light_linking(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
+    for kind, collection in compat.linked_collections(shown):
+        warn(
+            f"Light linking of '{shown.name}' to the {kind} '{collection.name}' is not supported: "
+            "all is lit by it and throws shadows"
+        )
 
 
 def _is_smoke(shown: bpy.types.Object) -> bool:

@@ -68,7 +68,7 @@ class MaterialTable:
     def _add(self, material: bpy.types.Material) -> int:
         look = _read(material, self._images, self._aovs)
         index = material.pass_index
-        name = material.name_full
+        name = material.name  # in Cryptomatte without the library, as in Cycles
         self.names.add(name)
         left_out = look.left_out
         try:
@@ -108,10 +108,21 @@ def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, s
     written = aov_sockets(inlined.node_tree, aovs)
     tree = export_sockets(sockets, images, DIFFUSE, written)
     surface, displacement, volume = tree.sockets
+    if surface is not None and not compat.has_transparent_shadow(material):
+        surface = _opaque_to_shadow_rays(tree.graph, surface)
     left_out = list(tree.left_out)
     if displacement is not None and compat.displacement_method(material) != "BUMP":
         left_out.append("displacement of the surface itself (it is shown as bump)")
     return _Look(surface, displacement, volume, tree.kinds, left_out, tree.values)
+
+
+def _opaque_to_shadow_rays(graph, surface: object) -> object:
+    black = graph.add("BSDF_DIFFUSE", {"Color": (0.0, 0.0, 0.0)})
+    is_shadow = graph.add("LIGHT_PATH")["Is Shadow Ray"]
+    mix = graph.add(
+        "MIX_SHADER", {"Fac": is_shadow, "Shader": surface, "Shader_001": black["BSDF"]}
+    )
+    return mix["Shader"]
 
 
 def _plain(material: bpy.types.Material) -> _Look:

@@ -1,7 +1,7 @@
 """Properties of an object, of what instances it or of the view layer that Attribute nodes read by
 name: custom ones, else Blender's own. And those of the particle that places it."""
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 import bpy
 import numpy as np
@@ -18,7 +18,8 @@ def is_of_owner(attribute: str) -> bool:
 class PropertyReader:
     """Values, as four numbers, of the attributes that `is_of_owner`."""
 
-    def __init__(self, depsgraph: bpy.types.Depsgraph):
+    def __init__(self, depsgraph: bpy.types.Depsgraph, warn: Callable[[str], None]):
+        self._warn = warn
         scene, layer = depsgraph.scene_eval, depsgraph.view_layer_eval
         self._of_layer = [layer, scene, compat.world_of(scene, layer)]
         self._frame = scene.frame_current_final
@@ -34,23 +35,33 @@ class PropertyReader:
         )
         name = attribute.removeprefix(prefix)
         if owner == "VIEW_LAYER":
-            return _find(self._of_layer, name)
+            return _find(self._of_layer, name) or _NOTHING
         owners = [instance.object, instance.object.data]
         if owner == "INSTANCER" and instance.is_instance:
             owners.insert(0, instance.parent)
-        return _find(owners, name)
+        found = _find(owners, name)
+        if found is None and owner == "INSTANCER" and _has_geometry_nodes(instance):
+            self._warn(
+                f"Attribute '{name}' of the instances that '{instance.parent.name}' makes is 0: "
+                "what geometry nodes give to instances is not read"
+            )
+        return found or _NOTHING
+
+
+def _has_geometry_nodes(instance: bpy.types.DepsgraphObjectInstance) -> bool:
+    return instance.is_instance and any(m.type == "NODES" for m in instance.parent.modifiers)
 
 
 _NOTHING = (0.0,) * 4
 
 
-def _find(owners: Iterable[object], name: str) -> tuple[float, ...]:
-    """What the first owner that has the property says; zeros if none has."""
+def _find(owners: Iterable[object], name: str) -> tuple[float, ...] | None:
+    """What the first owner that has the property says."""
     for owner in owners:
         value = None if owner is None else _rgba(_look_up(owner, name))
         if value is not None:
             return value
-    return _NOTHING
+    return None
 
 
 def _look_up(owner: object, name: str) -> object | None:

@@ -2,7 +2,19 @@
 
 import bpy
 
-from . import focus, light, missing, model, prescription, pupil, render, report, worn
+from . import (
+    focus,
+    light,
+    missing,
+    model,
+    object,
+    prescription,
+    pupil,
+    render,
+    report,
+    world,
+    worn,
+)
 
 _ENGINE = "EYE_RENDER"
 
@@ -17,14 +29,16 @@ _REPLACED = {
     "NODE_DATA_PT_light",
     "NODE_DATA_PT_spot",
     "RENDER_PT_freestyle",
-    "RENDER_PT_simplify",
     "VIEWLAYER_PT_filter",
 }
 # Panels that Blender shows for its own engines alone, though they suit any engine.
 _WELCOME = {
     "EEVEE_MATERIAL_PT_context_material",
     "EEVEE_MATERIAL_PT_surface",
+    "EEVEE_MATERIAL_PT_volume",
+    "EEVEE_WORLD_PT_mist",
     "EEVEE_WORLD_PT_surface",
+    "EEVEE_WORLD_PT_volume",
     "VIEWLAYER_PT_layer_passes",
     "VIEWLAYER_PT_layer_passes_aov",
     "VIEWLAYER_PT_layer_passes_cryptomatte",
@@ -41,6 +55,8 @@ _classes = (
     *render.classes,
     *report.classes,
     *light.classes,
+    *object.classes,
+    *world.classes,
 )
 
 

@@ -1,12 +1,12 @@
-"""Panels of the rendering itself: Sampling, Light Paths and Film, and in Blender's panel of a view
-layer's passes those that are switched one by one.
+"""Panels of the rendering itself, and of a view layer: its filter, and in Blender's panel of its
+passes those that are switched one by one.
 
 What Cycles has a setting for is that setting here, too.
 """
 
 from bpy.types import Panel
 
-from .. import batch, cycles_settings, passes
+from .. import batch, compat, cycles_settings, passes
 from .tabs import RenderTab, Tab, split_column
 
 
@@ -74,6 +74,64 @@ class EYE_RENDER_PT_film(RenderTab, Panel):
         roughness.prop(cycles, "film_transparent_roughness", text="Roughness Threshold")
 
 
+class EYE_RENDER_PT_motion_blur(RenderTab, Panel):
+    bl_label = "Motion Blur"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.render, "use_motion_blur", text="")
+
+    def draw(self, context):
+        render = context.scene.render
+        column = split_column(self.layout)
+        column.active = render.use_motion_blur
+        position = compat.shutter_position_switch(context.scene)
+        if position is not None:
+            column.prop(*position, text="Position")
+        column.prop(render, "motion_blur_shutter", text="Shutter")
+
+
+class EYE_RENDER_PT_curves(RenderTab, Panel):
+    bl_label = "Curves"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    @classmethod
+    def poll(cls, context):
+        return super().poll(context) and cycles_settings.curves(context.scene) is not None
+
+    def draw(self, context):
+        split_column(self.layout).prop(cycles_settings.curves(context.scene), "shape")
+
+
+class EYE_RENDER_PT_performance(RenderTab, Panel):
+    bl_label = "Performance"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        render = context.scene.render
+        column = split_column(self.layout)
+        column.prop(render, "threads_mode")
+        threads = column.column()
+        threads.enabled = render.threads_mode == "FIXED"
+        threads.prop(render, "threads")
+
+
+class EYE_RENDER_PT_filter(Tab, Panel):
+    bl_label = "Filter"
+    bl_context = "view_layer"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw(self, context):
+        layer = context.view_layer
+        column = split_column(self.layout).column(heading="Include")
+        column.prop(layer, "use_sky", text="Environment")
+        column.prop(layer, "use_solid", text="Surfaces")
+        column.prop(layer, "use_strand", text="Hair")
+        blur = column.row()
+        blur.active = context.scene.render.use_motion_blur
+        blur.prop(layer, "use_motion_blur", text="Motion Blur")
+
+
 class _PassesTab(Tab):
     bl_context = "view_layer"
     bl_parent_id = "VIEWLAYER_PT_layer_passes"
@@ -98,6 +156,10 @@ classes = (
     EYE_RENDER_PT_sampling,
     EYE_RENDER_PT_light_paths,
     EYE_RENDER_PT_film,
+    EYE_RENDER_PT_motion_blur,
+    EYE_RENDER_PT_curves,
+    EYE_RENDER_PT_performance,
+    EYE_RENDER_PT_filter,
     EYE_RENDER_PT_passes_data,
     EYE_RENDER_PT_passes_light,
 )

@@ -254,3 +254,12 @@ def background_strength():
     """A world of strength 2"""
     ball(diffuse())
     world((0.2, 0.25, 0.3), 2.0)
+
+
+@feature(bounces=4)
+def opaque_shadow():
+    """A see-through ball whose shadow is not"""
+    shown = ball_of("BsdfPrincipled", {"Base Color": RED, "Alpha": 0.3, "Roughness": 1.0})
+    material = shown.data.materials[0]
+    since_4 = hasattr(material, "use_transparent_shadow")
+    (material if since_4 else material.cycles).use_transparent_shadow = False

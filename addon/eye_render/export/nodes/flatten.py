@@ -9,6 +9,7 @@ from collections.abc import Iterable
 import bpy
 
 from ... import compat
+from .. import image_file
 from .flat import NUMBER_TYPES, Input, Node, Output, Value, converted
 
 # What all nodes have; the other properties are the options of a kind.
@@ -182,7 +183,7 @@ def _options(node: bpy.types.Node) -> tuple[dict[str, object], set[str]]:
             value = [float(number) for number in value]
         elif prop.type != "POINTER" and value != prop.default:
             changed.add(name)
-        options[name] = value
+        options[name] = image_file.absolute(value, node.id_data) if name == "filepath" else value
     if node.type in _KINDS_WITH_OUTPUT_VALUE:
         value = own_value(node.outputs[0])
         options["value"] = list(value) if isinstance(value, tuple) else value

@@ -13,13 +13,10 @@ _WITHOUT_PROFILE = 100.0
 def read_profile(node: Node) -> None:
     """Option `ies`, the text, in place of where it is."""
     text: bpy.types.Text | None = node.options.pop("ies")
-    path = node.options.pop("filepath")
+    path: Path = node.options.pop("filepath")
     mode = node.options.pop("mode")
     node.changed -= {"filepath", "mode"}
-    if mode == "INTERNAL":
-        profile = text.as_string() if text else None
-    else:
-        profile = _contents(Path(bpy.path.abspath(path)))
+    profile = _contents(path) if mode == "EXTERNAL" else text and text.as_string()
     if profile is None:
         node.notes.append("the missing profile of")
         node.kind, node.options = "MATH", {"operation": "MULTIPLY"}
