@@ -9,7 +9,6 @@ from fnmatch import fnmatchcase
 from pathlib import Path
 
 HERE = Path(__file__).resolve().parent
-BELOW_ZERO = "Eye Render sees no light below zero, which Cycles subtracts at the edges"  # differs
 
 
 @dataclass(frozen=True)

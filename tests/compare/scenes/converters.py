@@ -2,7 +2,7 @@
 
 from itertools import product
 
-from features import BELOW_ZERO, feature
+from features import feature
 from stage import tiles, wall
 from tree import Tree, out
 
@@ -68,7 +68,7 @@ FACEFORWARD DOT_PRODUCT DISTANCE LENGTH SCALE NORMALIZE ABSOLUTE MINIMUM MAXIMUM
 FRACTION MODULO WRAP SNAP SINE COSINE TANGENT""".split()
 
 
-@feature(differs=BELOW_ZERO)
+@feature()
 def vector_math():
     """Every operation of Vector Math"""
 
@@ -91,7 +91,7 @@ BLENDS = """MIX DARKEN MULTIPLY BURN LIGHTEN SCREEN DODGE ADD OVERLAY SOFT_LIGHT
 DIFFERENCE SUBTRACT DIVIDE HUE SATURATION COLOR VALUE""".split()
 
 
-@feature(differs=BELOW_ZERO)
+@feature()
 def mix_color():
     """Every way to mix two colours"""
 
@@ -163,7 +163,7 @@ def mix_values():
     tiles([numbers, unclamped, vectors("UNIFORM"), vectors("NON_UNIFORM")])
 
 
-@feature(differs=BELOW_ZERO)
+@feature()
 def map_range():
     """Every interpolation of Map Range, of numbers and of vectors"""
 

@@ -1,7 +1,7 @@
 """Texture coordinates, UV maps and attributes."""
 
 import numpy as np
-from features import BELOW_ZERO, feature
+from features import feature
 from stage import add, painted_ball
 from tree import out
 
@@ -44,7 +44,7 @@ def uv():
     painted_ball(reads("TexCoord", "UV", 1.0, 0.0))
 
 
-@feature(differs=BELOW_ZERO)
+@feature()
 def camera():
     """Coordinates of the camera"""
     painted_ball(reads("TexCoord", "Camera", 0.2, 0.0))

@@ -258,8 +258,10 @@ def background_strength():
 
 @feature(bounces=4)
 def opaque_shadow():
-    """A see-through ball whose shadow is not"""
+    """A see-through ball whose shadow is not, in light that shadow rays alone find"""
     shown = ball_of("BsdfPrincipled", {"Base Color": RED, "Alpha": 0.3, "Roughness": 1.0})
+    bpy.data.objects["Lamp"].data.angle = 0.0
+    world((0.0, 0.0, 0.0))
     material = shown.data.materials[0]
     since_4 = hasattr(material, "use_transparent_shadow")
     (material if since_4 else material.cycles).use_transparent_shadow = False
