@@ -29,6 +29,7 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFra
     add_placements();
     add_media();
     accelerator_.build();
+    look_around_eye();
 
     add_lamps();
     environment_ = Environment(data.world, frame_, data.world_sun);

@@ -195,9 +195,14 @@ private:
     void note_visibility(const Placement& placement);
     void add_lamps();
     void add_media();
+    // `box` of its geometry.
     [[nodiscard]] ParticipatingMedium medium_in(const Placement& placement,
-                                                std::size_t slot) const;
+                                                std::size_t slot,
+                                                const Imath::Box3f& box) const;
     [[nodiscard]] ParticipatingMedium medium_of_world() const;
+    // Paths start within the pupil or at the clipping plane: what the eye is in they are in, too,
+    // unless a surface comes so near.
+    void look_around_eye();
     // True if the world's medium leaves nothing of light that comes from infinitely far.
     [[nodiscard]] bool is_cut_off_from_infinity() const;
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
@@ -224,6 +229,9 @@ private:
     std::optional<ParticipatingMedium> world_medium_;
     std::deque<ParticipatingMedium> media_;  // of placements, which point to them
     Imath::Box3f media_box_;                 // around all of them
+    // What the eye's centre is in, and how far from it that is so; nothing where it may change.
+    std::optional<MediumStack> media_at_eye_;
+    float reach_of_eye_ = 0.0f;
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;
     std::vector<LampSpace> lamp_spaces_;  // one a lamp

@@ -30,15 +30,44 @@ template <typename MediumAt>
     return sum;
 }
 
-// In the world; without end for what moves.
-[[nodiscard]] Imath::Box3f world_box_of(const Placement& placement)
-{
-    Imath::Box3f box =
-        Imath::transform(bounds_of(*placement.geometry), placement.pose.world_from_object);
-    if (placement.moves) {
-        box.makeInfinite();
+// Of geometries, found once for all that are placed.
+class Boxes {
+public:
+    [[nodiscard]] const Imath::Box3f& of(const Geometry& geometry)
+    {
+        const auto [known, is_new] = boxes_.try_emplace(&geometry);
+        if (is_new) {
+            known->second = bounds_of(geometry);
+        }
+        return known->second;
     }
-    return box;
+
+    // In the world; without end for what moves.
+    [[nodiscard]] Imath::Box3f around(const Placement& placement)
+    {
+        Imath::Box3f box =
+            Imath::transform(of(*placement.geometry), placement.pose.world_from_object);
+        if (placement.moves) {
+            box.makeInfinite();
+        }
+        return box;
+    }
+
+private:
+    std::map<const Geometry*, Imath::Box3f> boxes_;
+};
+
+// No more than the distance of the origin from the triangle: to its plane, or to the box around
+// it.
+[[nodiscard]] float least_distance(const std::array<V3f, 3>& corners)
+{
+    const auto& [p0, p1, p2] = corners;
+    const float to_plane = std::abs(unit_or((p1 - p0).cross(p2 - p0), V3f(0.0f)).dot(p0));
+    Imath::Box3f box;
+    for (const V3f& p : corners) {
+        box.extendBy(p);
+    }
+    return std::max(to_plane, Imath::clip(V3f(0.0f), box).length());
 }
 
 [[nodiscard]] std::uint32_t triangle_with(const Placement& placement, std::size_t slot)
@@ -53,7 +82,9 @@ template <typename MediumAt>
 
 }  // namespace
 
-ParticipatingMedium Scene::medium_in(const Placement& placement, std::size_t slot) const
+ParticipatingMedium Scene::medium_in(const Placement& placement,
+                                     std::size_t slot,
+                                     const Imath::Box3f& box) const
 {
     const ShaderProgram& volume = placement.materials[slot]->volume;
     const std::uint32_t triangle = triangle_with(placement, slot);
@@ -62,7 +93,6 @@ ParticipatingMedium Scene::medium_in(const Placement& placement, std::size_t slo
         const InteriorAttributes attributes(placement, triangle, p_object, frame_);
         return volume.medium({.point = point, .attributes = attributes, .path = {}});
     };
-    const Imath::Box3f box = bounds_of(*placement.geometry);
     return volume.varies_in_space() ? mean_medium(box, at) : at(box.center());
 }
 
@@ -77,9 +107,10 @@ ParticipatingMedium Scene::medium_of_world() const
     if (!volume.varies_in_space()) {
         return at(V3f(0.0f));
     }
+    Boxes boxes;
     Imath::Box3f box(V3f(0.0f));
     for (const Placement& placement : placements_) {
-        box.extendBy(world_box_of(placement));
+        box.extendBy(boxes.around(placement));
     }
     return mean_medium(box, at);
 }
@@ -89,6 +120,7 @@ void Scene::add_media()
     if (data_.world.has_volume()) {
         world_medium_ = medium_of_world();
     }
+    Boxes boxes;
     std::map<const Material*, const ParticipatingMedium*> alike;  // in every object
     for (Placement& placement : placements_) {
         if (placement.mesh() == nullptr ||
@@ -104,12 +136,34 @@ void Scene::add_media()
             const bool is_alike = material->volume.step_count() == 0;
             const ParticipatingMedium*& known = alike[material];
             if (!is_alike || known == nullptr) {
-                known = &media_.emplace_back(medium_in(placement, slot));
+                known = &media_.emplace_back(
+                    medium_in(placement, slot, boxes.of(*placement.geometry)));
             }
             placement.media[slot] = known;
         }
-        media_box_.extendBy(world_box_of(placement));
+        media_box_.extendBy(boxes.around(placement));
     }
+}
+
+void Scene::look_around_eye()
+{
+    if (!media_box_.intersects(V3f(0.0f))) {
+        return;
+    }
+    float distance = std::numeric_limits<float>::infinity();
+    for (const Placement& placement : placements_) {
+        if (placement.media.empty()) {
+            continue;
+        }
+        if (placement.moves || !placement.mesh()->motion_positions.empty()) {
+            return;
+        }
+        for (std::uint32_t t = 0; t < placement.mesh()->triangles.size(); ++t) {
+            distance = std::min(distance, least_distance(corners_world({&placement, t})));
+        }
+    }
+    media_at_eye_ = media_at(V3f(0.0f));
+    reach_of_eye_ = distance;
 }
 
 bool Scene::is_cut_off_from_infinity() const
@@ -122,6 +176,9 @@ bool Scene::is_cut_off_from_infinity() const
 
 MediumStack Scene::media_at(const V3f& p, float time) const
 {
+    if (media_at_eye_ && p.length() < reach_of_eye_) {
+        return *media_at_eye_;
+    }
     MediumStack media(world_medium_ ? &*world_medium_ : nullptr);
     if (!media_box_.intersects(p)) {
         return media;

@@ -92,6 +92,23 @@ TEST(Media, eye_within_a_volume_sees_the_rest_of_it)
     expect_absorbed(estimate(scene, {.max_bounces = 0}, ahead, 4), std::exp(-0.5 * chord(1.0)));
 }
 
+// Paths near the eye are in what the eye is in, without a look for it; farther away they look.
+TEST(Media, what_a_path_starts_in_depends_on_its_place)
+{
+    for (const double z : {0.0, -0.9}) {
+        SceneData data;
+        test::place(data, test::ball(1.0f, 32), V3d(0.8 * (z < 0.0), 0.8 * (z < 0.0), z),
+                    absorbing(1.0f));
+        const Scene scene(data, V3d(0.0));
+        const bool eye_is_within = z == 0.0;  // else in its box alone
+        EXPECT_EQ(scene.media_at(V3f(0.0f)).in_medium(), eye_is_within);
+        EXPECT_EQ(scene.media_at(V3f(0.01f, 0.0f, -0.1f)).in_medium(), eye_is_within);
+        EXPECT_EQ(scene.media_at(V3f(0.0f, 0.0f, 1.1f)).in_medium(), false);
+        EXPECT_EQ(scene.media_at(V3f(0.8f, 0.8f, -0.9f)).in_medium(), !eye_is_within);
+        EXPECT_EQ(scene.media_at(V3f(0.0f, 0.5f, 0.5f)).in_medium(), eye_is_within);
+    }
+}
+
 TEST(Media, world_behind_a_medium_without_end_is_not_seen)
 {
     SceneData data = in_white_world();
