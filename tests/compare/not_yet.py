@@ -6,5 +6,4 @@ _NO_WALK = "light that enters comes out where it entered: shown as diffuse refle
 NOT_YET: dict[str, str] = {
     "principled/subsurface": _NO_WALK,
     "shaders/subsurface": _NO_WALK,
-    "textures/gabor": "the texture is not evaluated yet",
 }

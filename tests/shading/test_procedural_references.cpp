@@ -168,6 +168,13 @@ TEST(ProceduralReferences, checkers)
     EXPECT_EQ(expect_as_blender("tex_checker", exact).sensitive_rows, 0);
 }
 
+TEST(ProceduralReferences, gabor_in_the_plane_and_in_space)
+{
+    const Tally tally = expect_as_blender("tex_gabor", rounded);
+    EXPECT_EQ(tally.rows, 300);
+    EXPECT_LT(tally.sensitive_rows, 150);  // phases of waves that nearly cancel
+}
+
 TEST(ProceduralReferences, gradients)
 {
     const Tally tally = expect_as_blender("tex_gradient", rounded);

@@ -45,6 +45,10 @@ INPUTS = {
     "Bias": [0.0, -0.4, 0.6, -1.0],
     "Brick Width": [0.5, 0.21, 1.3],
     "Row Height": [0.25, 0.4, 0.11],
+    "Frequency": [2.0, 0.5, 3.7, 0.0],
+    "Anisotropy": [1.0, 0.0, 0.4, 1.6, -0.3],
+    "Orientation 2D": [0.8, 0.0, -2.3, 11.0],
+    "Orientation 3D": [1.0, 0.7, -0.4, 0.2],
 }
 # Beyond the limits where Cycles and Geometry Nodes keep them alike.
 INPUTS_OF_NOISE = {"Detail": [17.5, -1.0], "Roughness": [1.3, -0.2]}
@@ -119,6 +123,7 @@ OPTIONS = {
         ]
     ],
     "TEX_WHITE_NOISE": [{"noise_dimensions": dimensions} for dimensions in DIMENSIONS],
+    "TEX_GABOR": [{"gabor_type": kind} for kind in ["2D", "3D"]],
 }
 ROWS = {
     "TEX_NOISE": 32,
@@ -129,6 +134,7 @@ ROWS = {
     "TEX_CHECKER": 200,
     "TEX_GRADIENT": 30,
     "TEX_WHITE_NOISE": 50,
+    "TEX_GABOR": 150,
 }
 
 

@@ -76,5 +76,6 @@ auto in_dimensions(int dimensions,
 [[nodiscard]] NodeType brick_texture_node();
 [[nodiscard]] NodeType checker_texture_node();
 [[nodiscard]] NodeType gradient_texture_node();
+[[nodiscard]] NodeType gabor_texture_node();
 
 }  // namespace eye_render

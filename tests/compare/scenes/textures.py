@@ -289,3 +289,24 @@ def gabor():
     inputs = {"Scale": 4.0, "Frequency": 2.0, "Anisotropy": 0.8}
     inputs |= {"Orientation 2D": math.pi / 5}
     tiles([texture("TexGabor", inputs, output) for output in ("Value", "Phase")], 2)
+
+
+@feature(since=(4, 3))
+def gabor_isotropic():
+    """Gabor noise of waves in all directions, its value and its intensity"""
+    inputs = {"Scale": 5.0, "Frequency": 1.2, "Anisotropy": 0.0}
+    tiles([texture("TexGabor", inputs, output) for output in ("Value", "Intensity")], 2)
+
+
+@feature(since=(4, 3))
+def gabor_in_space():
+    """Gabor noise in three dimensions: value, phase and intensity, of one direction and of many"""
+    inputs = {"Scale": 4.0, "Frequency": 2.0, "Orientation 3D": (0.3, 1.0, 0.5)}
+    tiles(
+        [
+            texture("TexGabor", inputs | {"Anisotropy": anisotropy}, output, gabor_type="3D")
+            for anisotropy in (1.0, 0.3)
+            for output in ("Value", "Phase", "Intensity")
+        ],
+        3,
+    )
