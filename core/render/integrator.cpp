@@ -123,7 +123,9 @@ private:
         scene_.visit_lamps(
             last_->point, path_, ray.direction, travelled_, travelled_ + t_end,
             [this](const LampContribution& lamp) {
-                const Color3f left = media_.mixture().transmittance(lamp.t - travelled_);
+                const Color3f left = media_.in_medium()
+                                         ? media_.mixture().transmittance(lamp.t - travelled_)
+                                         : Color3f(1.0f);
                 light_.add(throughput_ * left * lamp.radiance * last_->weight_against(lamp.pdf),
                            lamp.origin, path_.depth);
             });

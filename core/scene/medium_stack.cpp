@@ -38,11 +38,14 @@ void MediumStack::leave_meshes()
 
 void MediumStack::mix()
 {
+    if (world_ == nullptr && count_ == 0) {
+        mixture_.reset();
+        return;
+    }
     mixture_ = world_ != nullptr ? *world_ : ParticipatingMedium{};
     for (std::size_t i = 0; i < count_; ++i) {
-        mixture_.add(*inside_[i].medium);
+        mixture_->add(*inside_[i].medium);
     }
-    in_medium_ = world_ != nullptr || count_ > 0;
 }
 
 }  // namespace eye_render

@@ -8,14 +8,14 @@
 #include "shading/participating_medium.h"
 
 #include <array>
+#include <optional>
 
 namespace eye_render {
 
 class MediumStack {
 public:
     // In no mesh. `world` fills everything, may be null, and must outlive the stack.
-    explicit MediumStack(const ParticipatingMedium* world)
-        : world_(world), in_medium_(world != nullptr)
+    explicit MediumStack(const ParticipatingMedium* world) : world_(world)
     {
         if (world != nullptr) {
             mixture_ = *world;
@@ -23,8 +23,8 @@ public:
     }
 
     // Something is around, described by `mixture`.
-    [[nodiscard]] bool in_medium() const { return in_medium_; }
-    [[nodiscard]] const ParticipatingMedium& mixture() const { return mixture_; }
+    [[nodiscard]] bool in_medium() const { return mixture_.has_value(); }
+    [[nodiscard]] const ParticipatingMedium& mixture() const { return *mixture_; }
 
     // The path passes through the surface that it hit.
     void cross(const SurfaceHit& hit);
@@ -32,9 +32,11 @@ public:
     void leave_meshes();
 
 private:
+    // Without initialisers, and the mixture only where there is one: to clear room that few
+    // paths use took 150 of a plain scene's 11,400 instructions a path.
     struct Inside {
-        const Placement* placement = nullptr;
-        const ParticipatingMedium* medium = nullptr;
+        const Placement* placement;
+        const ParticipatingMedium* medium;
 
         bool operator==(const Inside&) const = default;
     };
@@ -44,10 +46,9 @@ private:
     void mix();
 
     const ParticipatingMedium* world_;
-    bool in_medium_;
     std::size_t count_ = 0;
     std::array<Inside, capacity> inside_;  // the first `count_`
-    ParticipatingMedium mixture_;
+    std::optional<ParticipatingMedium> mixture_;
 };
 
 }  // namespace eye_render

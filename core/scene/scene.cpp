@@ -119,7 +119,9 @@ Color3f Scene::transmittance(const Ray& ray,
             if (!hit && !std::isfinite(rest.t_max)) {
                 media->leave_meshes();
             }
-            result *= media->mixture().transmittance(hit ? hit->t : rest.t_max);
+            if (media->in_medium()) {
+                result *= media->mixture().transmittance(hit ? hit->t : rest.t_max);
+            }
         }
         if (!hit) {
             return result;

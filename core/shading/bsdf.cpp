@@ -48,21 +48,6 @@ Bsdf& Bsdf::operator=(const Bsdf& other)
     return *this;
 }
 
-void Bsdf::add(const Lobe& lobe, const Color3f& albedo, const Color3f& transmitted)
-{
-    const float importance = (albedo.x + albedo.y + albedo.z) / 3.0f;
-    if (!(importance > 0.0f)) {
-        return;
-    }
-    const bool is_delta = lobe.is_delta();
-    importance_ += importance;
-    has_finite_lobe_ |= !is_delta;
-    transmits_ |= !is_delta && lobe.transmits();
-    const auto i = static_cast<std::size_t>(count_++);
-    lobes_[i] = lobe;
-    shares_[i] = {importance, is_delta, albedo, transmitted};
-}
-
 void Bsdf::add_part(BsdfParts& parts,
                     const Lobe& lobe,
                     const Color3f& value,

@@ -11,6 +11,7 @@
 #include "shading/lobe.h"
 
 #include <array>
+#include <cstddef>
 #include <optional>
 
 namespace eye_render {
@@ -63,7 +64,20 @@ public:
     // `albedo` is what the lobe does with light from all around, and decides how often it is
     // sampled: it may be approximate, but zero only where the lobe is. A lobe without is left out.
     // `transmitted` is the part of it that a glass lets pass.
-    void add(const Lobe& lobe, const Color3f& albedo, const Color3f& transmitted = Color3f(0.0f));
+    void add(const Lobe& lobe, const Color3f& albedo, const Color3f& transmitted = Color3f(0.0f))
+    {
+        const float importance = (albedo.x + albedo.y + albedo.z) / 3.0f;
+        if (!(importance > 0.0f)) {
+            return;
+        }
+        const bool is_delta = lobe.is_delta();
+        importance_ += importance;
+        has_finite_lobe_ |= !is_delta;
+        transmits_ |= !is_delta && lobe.transmits();
+        const auto i = static_cast<std::size_t>(count_++);
+        lobes_[i] = lobe;
+        shares_[i] = {importance, is_delta, albedo, transmitted};
+    }
 
     // Roughens the glossy lobes to an alpha of at least this.
     void blur(float least_alpha);

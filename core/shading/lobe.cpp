@@ -4,52 +4,13 @@
 
 #include "shading/diffuse_lobe.h"
 #include "shading/glossy_lobe.h"
-#include "shading/microfacet.h"
 #include "shading/microfacet_lobe.h"
 
 namespace eye_render {
 
-bool Lobe::is_delta() const
-{
-    if (kind == LobeKind::Straight) {
-        return true;
-    }
-    if (kind == LobeKind::AshikhminShirley) {
-        return alpha_x * alpha_y < smallest_rough_alpha * smallest_rough_alpha;
-    }
-    return kind >= LobeKind::Glossy && is_delta_microfacet(*this);
-}
-
-Lobe plain_lobe(LobeKind kind, const Color3f& weight, const V3f& normal, float alpha)
-{
-    return {.kind = kind,
-            .facets = FacetModel::Ggx,
-            .weight = weight,
-            .normal = normal,
-            .smooth_normal = normal,
-            .tangent = V3f(0.0f),
-            .alpha_x = alpha,
-            .alpha_y = alpha,
-            .ior = 1.0f,
-            .f0 = Color3f(0.0f),
-            .edge = Color3f(0.0f),
-            .second_weight = Color3f(0.0f),
-            .film_thickness_nm = 0.0f,
-            .film_ior = 1.0f,
-            .a = 0.0f,
-            .b = 0.0f};
-}
-
 Lobe straight_lobe(const Color3f& weight)
 {
     return plain_lobe(LobeKind::Straight, weight, V3f(0.0f));
-}
-
-Lobe diffuse_lobe(const Color3f& weight, const V3f& normal, const V3f& smooth_normal)
-{
-    Lobe lobe = plain_lobe(LobeKind::Diffuse, weight, normal);
-    lobe.smooth_normal = smooth_normal;
-    return lobe;
 }
 
 Lobe glossy_lobe(const Color3f& weight, const V3f& normal, float alpha)

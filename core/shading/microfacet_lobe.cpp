@@ -14,10 +14,6 @@ namespace eye_render {
 
 namespace {
 
-// Between indices this close, light is bent by less than any lobe is wide, and the half vector
-// cannot be had from two nearly opposite directions: the glass becomes a delta.
-constexpr float matched_ior = 1e-3f;
-
 struct Split {
     Color3f reflected;
     Color3f transmitted{0.0f};
@@ -123,13 +119,6 @@ struct FacetTerms {
 
 }  // namespace
 
-bool is_delta_microfacet(const Lobe& lobe)
-{
-    const bool is_smooth =
-        lobe.alpha_x * lobe.alpha_y < smallest_rough_alpha * smallest_rough_alpha;
-    return is_smooth || (lobe.transmits() && std::abs(lobe.ior - 1.0f) < matched_ior);
-}
-
 FacetAlbedo facet_albedo(const Lobe& lobe, float cos_facet)
 {
     const Split split = split_at_facet(lobe, std::clamp(cos_facet, 0.0f, 1.0f));
@@ -175,7 +164,7 @@ std::optional<LobeSample> sample_microfacet(const Lobe& lobe,
                                             const V2f& u)
 {
     V3f m = lobe.normal;
-    if (!is_delta_microfacet(lobe)) {
+    if (!lobe.is_delta()) {
         const Frame frame = facet_frame(lobe);
         const V3f wo_local = frame.local_from_world(wo);
         m = frame.world_from_local(

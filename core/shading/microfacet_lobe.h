@@ -11,9 +11,6 @@
 
 namespace eye_render {
 
-// As of Lobe::is_delta, for these kinds.
-[[nodiscard]] bool is_delta_microfacet(const Lobe& lobe);
-
 [[nodiscard]] BsdfValue evaluate_microfacet(const Lobe& lobe,
                                             const V3f& wo,
                                             const V3f& wi,

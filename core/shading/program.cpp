@@ -35,18 +35,11 @@ namespace {
 
 }  // namespace
 
-float NodeInputs::number(std::size_t input) const { return run_.read(step_.inputs[input]).x; }
-
-V3f NodeInputs::vector(std::size_t input) const { return run_.read(step_.inputs[input]); }
+NodeValue NodeInputs::computed(const ProgramInput& source) const { return run_.read(source); }
 
 float NodeInputs::number_at(std::size_t input, const HitAttributes& attributes) const
 {
-    return run_.read_at(step_.inputs[input], attributes).x;
-}
-
-bool NodeInputs::wants(std::size_t output) const
-{
-    return ((step_.wanted_outputs >> output) & 1u) != 0;
+    return run_.read_at(inputs_[input], attributes).x;
 }
 
 const Hit& NodeInputs::hit() const { return run_.hit(); }

@@ -17,8 +17,6 @@
 
 namespace eye_render {
 
-enum class Conversion : std::uint8_t { None, Splat, Mean, Luminance };
-
 [[nodiscard]] inline NodeValue converted(const NodeValue& value, Conversion conversion)
 {
     switch (conversion) {
@@ -28,22 +26,6 @@ enum class Conversion : std::uint8_t { None, Splat, Mean, Luminance };
     default: return value;
     }
 }
-
-// Where one input gets its value.
-struct ProgramInput {
-    static constexpr int none = -1;
-
-    NodeValue constant{0.0f};
-    int step = none;   // the step that computes it
-    int value = none;  // its place among the values of a run
-    ImplicitInput implicit = ImplicitInput::None;
-    Conversion conversion = Conversion::None;
-
-    [[nodiscard]] bool is_constant() const
-    {
-        return step == none && implicit == ImplicitInput::None;
-    }
-};
 
 struct ProgramStep {
     // An output that somebody reads.
@@ -61,6 +43,11 @@ struct ProgramStep {
     std::vector<Wanted> wanted{};      // the same, with their places
     bool varies_in_space = false;      // reads more than what is the same all over an object
 };
+
+inline NodeInputs::NodeInputs(ProgramRun& run, const ProgramStep& step)
+    : run_(run), inputs_(step.inputs.data()), wanted_outputs_(step.wanted_outputs)
+{
+}
 
 struct ProgramLeaf {
     // A share of a mix: the factor, or what it leaves.
