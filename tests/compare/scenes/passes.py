@@ -34,7 +34,7 @@ def still_life() -> None:
     add(dressed(ball_mesh(0.2), glow), (-0.5, -1.0, 0.2))
 
 
-QUOTIENT = "light over colour: at edges a quotient of little by little"
+QUOTIENT = "a quotient, at edges of little by little"
 BEFORE_4 = "before Blender 4.0 Principled splits its light otherwise"
 
 # What it is, the view layer's switch, the pass's names from new to old, and how it is looked at.
@@ -131,7 +131,7 @@ def light_group():
     bpy.data.objects["Lamp"].lightgroup = "key"
 
 
-@feature(shows_pass=("use_pass_shadow_catcher", "Shadow Catcher"), samples=512)
+@feature(shows_pass=("use_pass_shadow_catcher", "Shadow Catcher"), samples=512, differs=QUOTIENT)
 def shadow_catcher():
     """What the light leaves on a shadow catcher"""
     still_life()
