@@ -2,6 +2,8 @@
 
 #include "shading/bsdf.h"
 
+#include "shading/fibre_lobe.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -93,6 +95,9 @@ void Bsdf::blur(float least_alpha)
 {
     for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
         Lobe& lobe = lobes_[i];
+        if (lobe.kind == LobeKind::Fibre) {
+            blur_fibre(lobe, least_alpha);
+        }
         if (!lobe.has_facets()) {
             continue;
         }

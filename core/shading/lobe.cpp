@@ -3,6 +3,7 @@
 #include "shading/lobe.h"
 
 #include "shading/diffuse_lobe.h"
+#include "shading/fibre_lobe.h"
 #include "shading/glossy_lobe.h"
 #include "shading/microfacet_lobe.h"
 
@@ -63,6 +64,7 @@ BsdfValue evaluate(const Lobe& lobe, const V3f& wo, const V3f& wi, bool transmit
     switch (lobe.kind) {
     case LobeKind::GlossyToon: return evaluate_glossy_toon(lobe, wo, wi);
     case LobeKind::Velvet: return evaluate_velvet(lobe, wo, wi);
+    case LobeKind::Fibre: return evaluate_fibre(lobe, wo, wi);
     case LobeKind::AshikhminShirley: return evaluate_ashikhmin_shirley(lobe, wo, wi);
     default: return evaluate_microfacet(lobe, wo, wi, transmitted);
     }
@@ -77,6 +79,10 @@ std::optional<LobeSample> sample(const Lobe& lobe, const V3f& wo, float u_choice
     case LobeKind::Straight: return LobeSample{-wo, true, lobe.weight};
     case LobeKind::GlossyToon: return LobeSample{sample_glossy_toon(lobe, wo, u)};
     case LobeKind::Velvet: return LobeSample{sample_velvet(lobe, u)};
+    case LobeKind::Fibre: {
+        const V3f wi = sample_fibre(lobe, wo, u_choice, u);
+        return LobeSample{wi, lobe.normal.dot(wi) < 0.0f};
+    }
     case LobeKind::AshikhminShirley: {
         const std::optional<V3f> wi = sample_ashikhmin_shirley(lobe, wo, u);
         return wi ? std::optional(LobeSample{*wi, false, lobe.weight}) : std::nullopt;

@@ -28,6 +28,7 @@ enum class LobeKind : std::uint8_t {
     // Glossy ones.
     GlossyToon,        // cone around the mirror direction
     Velvet,            // Ashikhmin's
+    Fibre,             // of hair, from all around it (fibre_lobe.h)
     AshikhminShirley,  // Phong-like
     // Microfacets (microfacet_lobe.h).
     Glossy,            // reflection without Fresnel
@@ -50,20 +51,25 @@ struct Lobe {
     Color3f weight;
     V3f normal;
     V3f smooth_normal;  // Diffuse to DiffuseToon: the normal before any map
-    V3f tangent;        // where alpha_x is not alpha_y: unit, across the normal
-    float alpha_x;      // microfacets: along the tangent; below smallest_rough_alpha a delta
-    float alpha_y;      // and across it
-    float ior;          // dielectrics: of the far side over the near side
+    // Where alpha_x is not alpha_y: unit, across the normal. Fibre: along it, unit.
+    V3f tangent;
+    float alpha_x;  // microfacets: along the tangent; below smallest_rough_alpha a delta
+    float alpha_y;  // and across it
+    float ior;      // dielectrics, fibres: of the far side over the near side
     // Metal, tinted dielectrics: colour at normal incidence. Conductor: index.
+    // Fibre: what it absorbs along its radius.
     Color3f f0;
-    Color3f edge;  // Metal: factor of cos (1 - cos)^6. Conductor: extinction
+    // Metal: factor of cos (1 - cos)^6. Conductor: extinction. Fibre: variances along it of what
+    // it reflects, transmits, and reflects inside.
+    Color3f edge;
     // Glasses, Refraction: weight of what passes; `weight` is of what is reflected.
     // OrenNayar: weight of what is scattered more than once.
     Color3f second_weight;
     float film_thickness_nm;  // tinted dielectrics; 0 for none
     float film_ior;           // over the near side's
     // OrenNayar: constant and slope of the model. Sheen: the transform's. Toons: half angle of the
-    // cone and the width of its soft edge, rad. Velvet: a is 1 / sigma^2.
+    // cone and the width of its soft edge, rad. Velvet: a is 1 / sigma^2. Fibre: scale of the
+    // logistic distribution around it and tilt of its scales, rad.
     float a;
     float b;
 
@@ -82,7 +88,7 @@ struct Lobe {
     [[nodiscard]] bool transmits() const
     {
         return kind == LobeKind::Straight || kind == LobeKind::Translucent ||
-               kind >= LobeKind::Glass;
+               kind == LobeKind::Fibre || kind >= LobeKind::Glass;
     }
     // Light may come from the near side.
     [[nodiscard]] bool reflects() const

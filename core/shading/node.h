@@ -39,6 +39,7 @@ enum class ImplicitInput : std::uint8_t {
     Normal,
     Position,
     Incoming,      // towards the viewer, unit, in the object's own space
+    StrandRandom,  // in [0, 1] by strand; 0 on what is none
 };
 
 struct InputSocket {

@@ -20,10 +20,21 @@ constexpr float inverse_four_pi = 0.25f * std::numbers::inv_pi_v<float>;
     return std::clamp(2.0f * away * away * u * (1.0f + g * (1.0f - u)) / (q * q), 0.0f, 2.0f);
 }
 
+[[nodiscard]] float sample_one_minus_cos(const PhaseFunction& phase, float u)
+{
+    return phase.particles
+               ? static_cast<float>(
+                     2.0 * sample_fournier_forand(*phase.particles, static_cast<double>(u)))
+               : sample_one_minus_cos(phase.g, u);
+}
+
 }  // namespace
 
 float phase_pdf(const PhaseFunction& phase, float one_minus_cos)
 {
+    if (phase.particles) {
+        return fournier_forand_pdf(*phase.particles, one_minus_cos);
+    }
     const float away = 1.0f - phase.g;
     const float d = away * away + 2.0f * phase.g * one_minus_cos;
     return inverse_four_pi * away * (1.0f + phase.g) / (d * std::sqrt(d));
@@ -31,6 +42,9 @@ float phase_pdf(const PhaseFunction& phase, float one_minus_cos)
 
 float phase_value(const PhaseFunction& phase, float one_minus_cos)
 {
+    if (phase.particles) {
+        return fournier_forand_pdf(*phase.particles, one_minus_cos);
+    }
     const float g2 = phase.g * phase.g;
     const float cosine = 1.0f - one_minus_cos;
     return phase_pdf(phase, one_minus_cos) * (1.0f + phase.alpha * cosine * cosine) /
@@ -39,7 +53,7 @@ float phase_value(const PhaseFunction& phase, float one_minus_cos)
 
 V3f sample_phase(const PhaseFunction& phase, const V3f& direction, const V2f& u)
 {
-    const float turned = sample_one_minus_cos(phase.g, u.x);
+    const float turned = sample_one_minus_cos(phase, u.x);
     const float sine = std::sqrt(turned * (2.0f - turned));
     const float azimuth = 2.0f * std::numbers::pi_v<float> * u.y;
     return Frame(direction)

@@ -24,6 +24,8 @@ namespace {
     case ImplicitInput::Position: return hit.attributes.position_world();
     case ImplicitInput::Incoming:
         return unit_or(normal_to_object(hit.attributes.object(), hit.point.wo), hit.point.wo);
+    case ImplicitInput::StrandRandom:
+        return NodeValue(hit.attributes.strand().value_or(StrandFacts{}).random);
     default: return NodeValue(0.0f);
     }
 }

@@ -144,17 +144,16 @@ def test_a_volume_goes_with_the_surface_or_alone(export):
     assert exported.warnings == []
 
 
-@pytest.mark.skipif(bpy.app.version < (4, 3, 0), reason="one phase function")
-def test_a_phase_function_that_the_core_lacks_is_named(export):
-    material = node_material("Sea")
-    scatter = add_node(material, "ShaderNodeVolumeScatter", name="Haze", phase="FOURNIER_FORAND")
-    output = material.node_tree.get_output_node("CYCLES")
-    link(material, scatter.outputs[0], output.inputs["Volume"])
+@pytest.mark.skipif(bpy.app.version < (4, 0, 0), reason="one model of hair")
+def test_an_elliptical_fibre_is_round_and_named(export):
+    material = node_material("Fur")
+    hair = surface(material, "ShaderNodeBsdfHairPrincipled", model="HUANG")
+    hair.inputs["Roughness"].default_value = 0.4
     exported = export(material)
-    assert exported.volume.node.options["phase"] == "HENYEY_GREENSTEIN"
+    assert exported.surface.node.inputs["Radial Roughness"] == pytest.approx(0.4)
     (warning,) = exported.warnings
-    assert "Sea" in warning
-    assert "Fournier" in warning
+    assert "Fur" in warning
+    assert "elliptical" in warning
 
 
 def test_what_the_core_refuses_is_named_and_grey(table, export, monkeypatch):

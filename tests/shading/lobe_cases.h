@@ -4,6 +4,7 @@
 
 #include "scattering.h"
 #include "shading/diffuse_lobe.h"
+#include "shading/fibre_lobe.h"
 #include "shading/frame.h"
 #include "shading/glossy_lobe.h"
 
@@ -85,6 +86,12 @@ struct Case {
     conductor.f0 = Color3f(0.2f, 0.9f, 1.4f);
     conductor.edge = Color3f(3.9f, 2.4f, 2.0f);
     const Lobe phong = plain_lobe(LobeKind::AshikhminShirley, orange, up, 0.4f);
+    const Fibre brown{.absorption = {0.2f, 0.5f, 1.1f},
+                      .roughness = 0.6f,
+                      .radial_roughness = 0.7f,
+                      .gloss_roughness = 0.8f,
+                      .tilt_rad = 0.05f};
+    const Lobe fibre = fibre_lobe(0.8f, brown, V3f(0.4f, 1.0f, 0.0f), up);
     std::vector<Case> cases = wide_cases();
     const std::vector<Case> facets{
         {"tinted glass", {tinted}},
@@ -99,6 +106,8 @@ struct Case {
         {"refraction from inside", {refraction_lobe(orange, up, 0.3f, 1.0f / 1.45f)}},
         {"Ashikhmin & Shirley's", {phong}},
         {"Ashikhmin & Shirley's, brushed", {brushed(phong)}},
+        {"fibre", {fibre}},
+        {"fibre on diffuse", {fibre, diffuse}},
         {"diffuse", {diffuse}},
         {"glossy", {glossy}},
         {"metal", {metal}},

@@ -57,6 +57,8 @@ TEST(VolumeNodes, phase_functions_go_by_blenders_names)
     EXPECT_FLOAT_EQ(value("RAYLEIGH"), phase_value({.alpha = 1.0f}, 1.0f - 0.7f));
     EXPECT_FLOAT_EQ(value("DRAINE"), phase_value({.g = 0.5f, .alpha = 2.0f}, 1.0f - 0.7f));
     EXPECT_GT(value("MIE"), 0.0f);
+    EXPECT_FLOAT_EQ(value("FOURNIER_FORAND"),
+                    fournier_forand_pdf(fournier_forand(1.33f, 0.1f), 1.0f - 0.7f));
     EXPECT_THROW(static_cast<void>(value("ISOTROPIC")), std::invalid_argument);
 }
 

@@ -1,13 +1,14 @@
-// Closures of hair, as mixtures of a fibre's gloss and of what it scatters around itself. The
-// lobes of light that goes through a fibre once or twice are not told apart.
+// Closures of hair: one lobe of a fibre, in a simple way, or all of them.
 
 #include "shading/diffuse_lobe.h"
+#include "shading/fibre_lobe.h"
 #include "shading/ggx_surface.h"
 #include "shading/input_range.h"
 #include "shading/nodes/closure_nodes.h"
 #include "shading/visible_normal.h"
 
 #include <cmath>
+#include <numbers>
 
 namespace eye_render {
 
@@ -20,6 +21,12 @@ namespace {
             .cos_o = normal.dot(point.wo),
             .roughness = unit_range(roughness),
             .multiple_scattering = true};
+}
+
+// Along the strand, or along the first UV map's u.
+[[nodiscard]] V3f strand_tangent(const NodeInputs& in)
+{
+    return in.hit().attributes.tangent(HitAttributes::active_uv_layer).tangent;
 }
 
 class HairNode final : public ClosureNode {
@@ -50,47 +57,29 @@ public:
         // The normals turn around the strand, so all gloss around it is theirs.
         const float along = std::sqrt(std::max(unit_range(in.number(RoughnessAlong)), 1e-3f));
         const float around = std::sqrt(std::max(unit_range(in.number(RoughnessAround)), 1e-3f));
-        brush(fibre, along * along, around * around, strand_tangent(in), 0.0f, fibre.normal);
+        const V3f linked = in.vector(Tangent);
+        brush(fibre, along * along, around * around,
+              linked.length2() > 0.0f ? linked : strand_tangent(in), 0.0f, fibre.normal);
         add_glossy(shaded.bsdf, fibre, weight, color);
     }
 
 private:
-    // Linked, or along the strand, or along the first UV map's u.
-    [[nodiscard]] static V3f strand_tangent(const NodeInputs& in)
-    {
-        const V3f linked = in.vector(Tangent);
-        return linked.length2() > 0.0f
-                   ? linked
-                   : in.hit().attributes.tangent(HitAttributes::active_uv_layer).tangent;
-    }
-
     bool is_reflection_;
 };
 
-// How the colour of much hair follows from what one fibre absorbs over its radius, and back:
-// Chiang, Bitterli, Tappan & Burley 2016, "A Practical and Controllable Hair and Fur Model",
-// equation 9. `roughness` is the azimuthal one.
-[[nodiscard]] float absorption_scale(float roughness)
-{
-    const float b = roughness;
-    return 5.969f + b * (-0.215f + b * (2.532f + b * (-10.73f + b * (5.574f + b * 0.245f))));
-}
-
+// What a fibre absorbs over its radius for much hair to have that colour: Chiang, Bitterli, Tappan
+// & Burley 2016, "A Practical and Controllable Hair and Fur Model", eq. 9. `roughness` is the
+// radial one.
 [[nodiscard]] Color3f absorption_of(const Color3f& color, float roughness)
 {
-    const float scale = absorption_scale(roughness);
+    const float b = roughness;
+    const float scale =
+        5.969f + b * (-0.215f + b * (2.532f + b * (-10.73f + b * (5.574f + b * 0.245f))));
     const auto of = [scale](float value) {
-        const float root = std::log(std::clamp(value, 1e-5f, 1.0f)) / scale;
+        const float root = std::log(std::max(value, 1e-5f)) / scale;
         return root * root;
     };
     return {of(color.x), of(color.y), of(color.z)};
-}
-
-[[nodiscard]] Color3f color_of(const Color3f& absorption, float roughness)
-{
-    const float scale = absorption_scale(roughness);
-    const auto of = [scale](float value) { return std::exp(-scale * std::sqrt(value)); };
-    return {of(absorption.x), of(absorption.y), of(absorption.z)};
 }
 
 class PrincipledHairNode final : public ClosureNode {
@@ -103,7 +92,12 @@ public:
         Absorption,
         Roughness,
         RadialRoughness,
-        Ior
+        Coat,
+        Ior,
+        Offset,
+        RandomColor,
+        RandomRoughness,
+        Random,
     };
     enum class Parametrization { Color, Melanin, Absorption };
 
@@ -118,43 +112,52 @@ public:
 
     [[nodiscard]] ClosureFacts facts(ConstantInputs /*constants*/) const override
     {
-        return {.lobes = 3};
+        return {.lobes = 1};
     }
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
     {
         const ShadingPoint& point = in.hit().point;
-        const GgxSurface fibre = fibre_surface(point, in.number(Roughness));
-        const float kept = add_dielectric(shaded.bsdf, fibre, Color3f(weight),
-                                          {.ior = std::max(ior_range(in.number(Ior)), 1.0f)});
-        // As much comes back as passes to the other side.
-        const Color3f half = color(in) * (0.5f * weight * (1.0f - kept));
-        shaded.bsdf.add(diffuse_lobe(half, fibre.normal, point.ns), half);
-        shaded.bsdf.add(translucent_lobe(half, fibre.normal, point.ns), half);
+        const float variation = 1.0f + deviation(in) * in.number(RandomRoughness);
+        const float radial_roughness = in.number(RadialRoughness) * variation;
+        const Lobe lobe = fibre_lobe(weight,
+                                     {.absorption = absorption(in, radial_roughness),
+                                      .roughness = in.number(Roughness) * variation,
+                                      .radial_roughness = radial_roughness,
+                                      .gloss_roughness = 1.0f - unit_range(in.number(Coat)),
+                                      .ior = in.number(Ior),
+                                      .tilt_rad = in.number(Offset)},
+                                     strand_tangent(in), point.ng);
+        const FibreAlbedo albedo = fibre_albedo(lobe, point.wo);
+        shaded.bsdf.add(lobe, albedo.reflected + albedo.transmitted, albedo.transmitted);
     }
 
 private:
-    [[nodiscard]] Color3f color(const NodeInputs& in) const
+    // Of this strand from the mean, -1 to 1.
+    [[nodiscard]] static float deviation(const NodeInputs& in)
     {
-        const float roughness = unit_range(in.number(RadialRoughness));
+        return 2.0f * (in.number(Random) - 0.5f);
+    }
+
+    [[nodiscard]] Color3f absorption(const NodeInputs& in, float radial_roughness) const
+    {
         switch (parametrization_) {
         case Parametrization::Color: break;
-        case Parametrization::Absorption:
-            return color_of(positive_range(in.color(Absorption)), roughness);
+        case Parametrization::Absorption: return in.color(Absorption);
         case Parametrization::Melanin: {
             // Absorption of eumelanin and pheomelanin: d'Eon, Francois, Hill, Letteri & Aubry
             // 2011, "An Energy-Conserving Hair Reflectance Model"; the amount as Blender asks.
             const Color3f eumelanin(0.506f, 0.841f, 1.653f);
             const Color3f pheomelanin(0.343f, 0.733f, 1.924f);
-            const float amount = -std::log(std::max(1.0f - unit_range(in.number(Melanin)), 1e-4f));
-            const float redness = unit_range(in.number(Redness));
-            return color_of(eumelanin * (amount * (1.0f - redness)) +
-                                pheomelanin * (amount * redness) +
-                                absorption_of(in.color(Tint), roughness),
-                            roughness);
+            const float melanin =
+                in.number(Melanin) * (1.0f + deviation(in) * unit_range(in.number(RandomColor)));
+            const float amount = -std::log(std::max(1.0f - melanin, 1e-4f));
+            const float redness = in.number(Redness);
+            return eumelanin * (amount * (1.0f - redness)) + pheomelanin * (amount * redness) +
+                   absorption_of(in.color(Tint), radial_roughness);
         }
         }
-        return unit_range(in.color(Color));
+        return absorption_of(in.color(Color), radial_roughness);
     }
 
     Parametrization parametrization_;
@@ -170,7 +173,12 @@ constexpr std::array principled_hair_in{
     vector_input("Absorption Coefficient", {0.245531f, 0.52f, 1.365f}),
     number_input("Roughness", 0.3f),
     number_input("Radial Roughness", 0.3f),
-    number_input("IOR", 1.55f)};
+    number_input("Coat"),
+    number_input("IOR", 1.55f),
+    number_input("Offset", 2.0f * std::numbers::pi_v<float> / 180.0f),
+    number_input("Random Color"),
+    number_input("Random Roughness"),
+    InputSocket{"Random", SocketType::Number, NodeValue(0.0f), ImplicitInput::StrandRandom}};
 constexpr std::array<std::string_view, 1> hair_options{"component"};
 constexpr std::array<std::string_view, 1> principled_hair_options{"parametrization"};
 

@@ -1,9 +1,9 @@
 // Closures of volumes, their coefficients as Cycles derives them from colour and density.
 
-#include "shading/droplets.h"
 #include "shading/functions/spectral_colors.h"
 #include "shading/input_range.h"
 #include "shading/nodes/closure_nodes.h"
+#include "shading/nodes/phase_inputs.h"
 #include "shading/participating_medium.h"
 
 #include <cmath>
@@ -29,11 +29,6 @@ public:
     return positive_range(Color3f(1.0f) - color);
 }
 
-[[nodiscard]] float anisotropy_range(float g)
-{
-    return in_range(g, -largest_anisotropy, largest_anisotropy);
-}
-
 class VolumeAbsorptionNode : public VolumeNode {
 public:
     enum Input : std::size_t { Color, Density };
@@ -47,59 +42,16 @@ public:
     }
 };
 
-enum class PhaseKind { HenyeyGreenstein, Rayleigh, Draine, Mie };
-
-[[nodiscard]] PhaseKind phase_kind(const NodeOptions& options)
-{
-    return options.choice<PhaseKind>("phase", {{"HENYEY_GREENSTEIN", PhaseKind::HenyeyGreenstein},
-                                               {"RAYLEIGH", PhaseKind::Rayleigh},
-                                               {"DRAINE", PhaseKind::Draine},
-                                               {"MIE", PhaseKind::Mie}});
-}
-
-// The inputs behind a phase function, which lie together.
-struct PhaseInputs {
-    std::size_t anisotropy;
-    std::size_t alpha;
-    std::size_t diameter_um;
-};
-
-void add_scattering(const NodeInputs& in,
-                    PhaseKind kind,
-                    const PhaseInputs& inputs,
-                    const Color3f& scattering,
-                    ParticipatingMedium& medium)
-{
-    switch (kind) {
-    case PhaseKind::HenyeyGreenstein:
-        medium.scatter({scattering, {.g = anisotropy_range(in.number(inputs.anisotropy))}});
-        break;
-    case PhaseKind::Rayleigh: medium.scatter({scattering, {.alpha = 1.0f}}); break;
-    case PhaseKind::Draine:
-        medium.scatter({scattering,
-                        {.g = anisotropy_range(in.number(inputs.anisotropy)),
-                         .alpha = positive_range(in.number(inputs.alpha))}});
-        break;
-    case PhaseKind::Mie: {
-        const DropletScattering droplets = scattering_of_droplets(in.number(inputs.diameter_um));
-        medium.scatter({scattering * (1.0f - droplets.wide_share), droplets.narrow});
-        medium.scatter({scattering * droplets.wide_share, droplets.wide});
-        break;
-    }
-    }
-    medium.extinction += scattering;
-}
-
 class VolumeScatterNode : public VolumeNode {
 public:
-    enum Input : std::size_t { Color, Density, Anisotropy, Alpha, Diameter };
+    enum Input : std::size_t { Color, Density, Ior, Backscatter, Anisotropy, Alpha, Diameter };
 
     explicit VolumeScatterNode(const NodeOptions& options) : phase_(phase_kind(options)) {}
 
     void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
     {
         add_scattering(
-            in, phase_, {Anisotropy, Alpha, Diameter},
+            in, phase_, {Ior, Backscatter, Anisotropy, Alpha, Diameter},
             positive_range(in.color(Color)) * positive_range(in.number(Density)) * weight, medium);
     }
 
@@ -109,7 +61,16 @@ private:
 
 class VolumeCoefficientsNode : public VolumeNode {
 public:
-    enum Input : std::size_t { Absorption, Scatter, Anisotropy, Alpha, Diameter, Emission };
+    enum Input : std::size_t {
+        Absorption,
+        Scatter,
+        Ior,
+        Backscatter,
+        Anisotropy,
+        Alpha,
+        Diameter,
+        Emission
+    };
 
     explicit VolumeCoefficientsNode(const NodeOptions& options) : phase_(phase_kind(options)) {}
 
@@ -120,7 +81,7 @@ public:
 
     void fill(const NodeInputs& in, float weight, ParticipatingMedium& medium) const override
     {
-        add_scattering(in, phase_, {Anisotropy, Alpha, Diameter},
+        add_scattering(in, phase_, {Ior, Backscatter, Anisotropy, Alpha, Diameter},
                        positive_range(in.color(Scatter)) * weight, medium);
         medium.extinction += positive_range(in.color(Absorption)) * weight;
         medium.emission += positive_range(in.color(Emission)) * weight;
@@ -201,10 +162,10 @@ NodeType volume_absorption_node()
 
 NodeType volume_scatter_node()
 {
-    static constexpr auto inputs =
-        std::to_array<InputSocket>({color_input("Color", 0.8f), number_input("Density", 1.0f),
-                                    number_input("Anisotropy", 0.0f), number_input("Alpha", 0.5f),
-                                    number_input("Diameter", 20.0f)});
+    static constexpr auto inputs = std::to_array<InputSocket>(
+        {color_input("Color", 0.8f), number_input("Density", 1.0f), number_input("IOR", 1.33f),
+         number_input("Backscatter", 0.1f), number_input("Anisotropy", 0.0f),
+         number_input("Alpha", 0.5f), number_input("Diameter", 20.0f)});
     return closure_type<VolumeScatterNode>("VOLUME_SCATTER", inputs, volume_output, phase_options);
 }
 
@@ -213,6 +174,8 @@ NodeType volume_coefficients_node()
     static constexpr auto inputs = std::to_array<InputSocket>(
         {{"Absorption Coefficients", SocketType::Vector, NodeValue(1.0f)},
          {"Scatter Coefficients", SocketType::Vector, NodeValue(1.0f)},
+         number_input("IOR", 1.33f),
+         number_input("Backscatter", 0.1f),
          number_input("Anisotropy", 0.0f),
          number_input("Alpha", 0.5f),
          number_input("Diameter", 20.0f),

@@ -1,14 +1,18 @@
-"""Hair shaders as the core has them: a mixture in place of each fibre's own lobes."""
+"""Hair shaders as the core has them."""
 
 from .flat import Node
 
 LOBES = "the lobes of light within a fibre (a mixture stands in) of"
 
-_OF_LOBES = ("Offset", "Aspect Ratio", "R lobe", "TT lobe", "TRT lobe")
-
 
 def mix_lobes(node: Node) -> None:
     """Without what only tells the lobes apart."""
-    for name in _OF_LOBES:
+    node.inputs.pop("Offset", None)
+
+
+def round_fibre(node: Node) -> None:
+    """Huang's fibre as Chiang's: as rough around as along, and with all of its lobes."""
+    for name in ("Aspect Ratio", "Coat", "R lobe", "TT lobe", "TRT lobe"):
         node.inputs.pop(name, None)
+    node.inputs["Radial Roughness"] = node.inputs["Roughness"]
     node.changed.discard("model")

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from .derived import read_derived_attributes
 from .flat import Input, Node
-from .hair import LOBES, mix_lobes
+from .hair import LOBES, mix_lobes, round_fibre
 from .musgrave import musgrave_to_noise
 from .named import OWNER_PREFIXES, name_owner, name_particle
 from .normals import flip_green
@@ -114,13 +114,11 @@ ROWS = (
     Row("PARTICLE_INFO", convert=name_particle),
     Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
-    Row("BSDF_HAIR_PRINCIPLED", convert=mix_lobes, note=LOBES),
     Row(
-        "VOLUME_SCATTER",
-        with_option=("phase", "FOURNIER_FORAND"),
-        set_options={"phase": "HENYEY_GREENSTEIN"},
-        set_inputs={"Anisotropy": 0.9},
-        note="Fournier and Forand's phase function (Henyey and Greenstein's stands in) of",
+        "BSDF_HAIR_PRINCIPLED",
+        with_option=("model", "HUANG"),
+        convert=round_fibre,
+        note="the elliptical fibre (Chiang's round one stands in) of",
     ),
     # Blender 5
     _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
