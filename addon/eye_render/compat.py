@@ -146,7 +146,7 @@ def point_positions(data: bpy.types.Curves | bpy.types.PointCloud) -> np.ndarray
 
 
 # What Cycles takes for the radius of curves and points that have none.
-_RADIUS_OF_NONE = {"CURVES": 0.005 if bpy.app.version < (5, 0, 0) else 0.01, "POINTCLOUD": 0.01}
+_RADIUS_OF_NONE = {"CURVES": 0.005, "POINTCLOUD": 0.01}
 
 
 def point_radii(data: bpy.types.Curves | bpy.types.PointCloud) -> np.ndarray:

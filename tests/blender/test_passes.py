@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from eye_render import core, passes
 from scenes import (
+    add_group_socket,
     add_object,
     emitter,
     layer_pixels,
@@ -146,13 +147,30 @@ def test_a_material_writes_out_what_the_view_layer_asks_for(scene, tmp_path):
     wall.location = (0.0, 0.0, -2.0)
     material = emitter((1.0, 1.0, 1.0))
     wall.data.materials.append(material)
-    _write_out(material, "Tone", Color=(0.25, 0.5, 2.0, 1.0))
-    _write_out(material, "Weight", Value=0.5)
-    _write_out(material, "Not asked for", Value=0.5)
+    _write_out(material.node_tree, "Tone", Color=(0.25, 0.5, 2.0, 1.0))
+    _write_out(material.node_tree, "Weight", Value=0.5)
+    _write_out(material.node_tree, "Not asked for", Value=0.5)
     layer = _render(scene, tmp_path)
     assert layer("Tone")[0, 0] == pytest.approx([0.25, 0.5, 2.0, 1.0])
     assert layer("Weight")[0, 0] == pytest.approx(0.5)
     assert layer("Unwritten")[0, 0] == 0.0
+
+
+def test_what_a_group_writes_out_is_of_each_place_it_stands_at(scene, tmp_path):
+    aov = scene.view_layers[0].aovs.add()
+    aov.name, aov.type = "Weight", "VALUE"
+    wall = add_object(quad_mesh(size=10.0))
+    wall.location = (0.0, 0.0, -2.0)
+    material = emitter((1.0, 1.0, 1.0))
+    wall.data.materials.append(material)
+    inner = bpy.data.node_groups.new("Inner", "ShaderNodeTree")
+    add_group_socket(inner, "INPUT", "NodeSocketFloat", "Given")
+    written = _write_out(inner, "Weight")
+    inner.links.new(inner.nodes.new("NodeGroupInput").outputs["Given"], written.inputs["Value"])
+    group = material.node_tree.nodes.new("ShaderNodeGroup")
+    group.node_tree = inner
+    group.inputs["Given"].default_value = 0.75
+    assert _render(scene, tmp_path)("Weight")[0, 0] == pytest.approx(0.75)
 
 
 def test_light_groups_add_up_to_what_is_in_them(scene, tmp_path):
@@ -169,14 +187,15 @@ def test_light_groups_add_up_to_what_is_in_them(scene, tmp_path):
     assert np.allclose(total, layer("Combined")[..., :3], rtol=1e-5, atol=1e-6)
 
 
-def _write_out(material: bpy.types.Material, name: str, **value) -> None:
-    node = material.node_tree.nodes.new("ShaderNodeOutputAOV")
+def _write_out(tree: bpy.types.NodeTree, name: str, **value) -> bpy.types.Node:
+    node = tree.nodes.new("ShaderNodeOutputAOV")
     if hasattr(node, "aov_name"):
         node.aov_name = name
     else:  # before Blender 4.0
         node.name = name
     for socket, number in value.items():
         node.inputs[socket].default_value = number
+    return node
 
 
 def _world(scene) -> bpy.types.World:

@@ -18,7 +18,7 @@ _COMMON_PROPERTIES = {prop.identifier for prop in bpy.types.ShaderNode.bl_rna.pr
 _KINDS_WITH_OUTPUT_VALUE = {"VALUE", "RGB", "NORMAL"}
 
 # Where a node stands: the group nodes around it, outermost first.
-_Path = tuple[bpy.types.Node, ...]
+Path = tuple[bpy.types.Node, ...]
 
 
 class TreeReader:
@@ -27,12 +27,12 @@ class TreeReader:
     def __init__(self) -> None:
         self.nodes: list[Node] = []
         self._known: dict[tuple, Node] = {}
-        self._unread: list[tuple[Node, bpy.types.Node, _Path]] = []
+        self._unread: list[tuple[Node, bpy.types.Node, Path]] = []
         self._links_into: dict[int, dict[int, bpy.types.NodeLink]] = {}
 
-    def read(self, socket: bpy.types.NodeSocket) -> Input:
-        """The input of a node outside of all groups, with everything that it depends on."""
-        result = self._input(socket, ())
+    def read(self, socket: bpy.types.NodeSocket, path: Path = ()) -> Input:
+        """The input of a node that stands there, with everything that it depends on."""
+        result = self._input(socket, path)
         while self._unread:  # not by recursion: chains of nodes may be long
             node, original, path = self._unread.pop()
             for inner in original.inputs:
@@ -40,7 +40,7 @@ class TreeReader:
                     node.inputs[inner.identifier] = self._input(inner, path)
         return result
 
-    def _input(self, socket: bpy.types.NodeSocket, path: _Path) -> Input:
+    def _input(self, socket: bpy.types.NodeSocket, path: Path) -> Input:
         end, inner_path, through_number = self._follow(socket, path)
         if end is None:  # a reroute or muted node that nothing is linked to
             zero = None if socket.hide_value else converted(0.0, socket.type)
@@ -61,8 +61,8 @@ class TreeReader:
         return Input(socket.type, own, source)
 
     def _follow(
-        self, socket: bpy.types.NodeSocket, path: _Path
-    ) -> tuple[bpy.types.NodeSocket | None, _Path, bool]:
+        self, socket: bpy.types.NodeSocket, path: Path
+    ) -> tuple[bpy.types.NodeSocket | None, Path, bool]:
         """Where an input's value comes from, that node's path, and if it was a number on its way.
 
         The output of a node that computes, or the input whose own value counts; None where the way
@@ -110,7 +110,7 @@ class TreeReader:
             }
         return links.get(socket.as_pointer())
 
-    def _node(self, original: bpy.types.Node, path: _Path) -> Node:
+    def _node(self, original: bpy.types.Node, path: Path) -> Node:
         key = (*(group.as_pointer() for group in path), original.as_pointer())
         if key not in self._known:
             node = self._known[key] = Node(original.type, node_label(original))

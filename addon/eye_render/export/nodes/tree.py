@@ -1,6 +1,6 @@
 """Sockets of a Blender tree to sockets of the core: flattened, then made modern, then built."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 import bpy
@@ -9,8 +9,15 @@ from ... import compat
 from ..image import ImageTable
 from .build import GraphBuilder, PlainShader
 from .flat import Node, Output
-from .flatten import TreeReader
+from .flatten import Path, TreeReader
 from .versions import modernize
+
+
+class PlacedSocket(NamedTuple):
+    """An input of a node, and the group nodes around it, outermost first."""
+
+    socket: bpy.types.NodeSocket
+    path: Path
 
 
 class ExportedTree(NamedTuple):
@@ -25,12 +32,12 @@ def export_sockets(
     sockets: Iterable[bpy.types.NodeSocket],
     images: ImageTable,
     plain_shader: PlainShader,
-    values: Mapping[str, bpy.types.NodeSocket] | None = None,
+    values: Mapping[str, PlacedSocket] | None = None,
 ) -> ExportedTree:
     """One graph with all that these inputs of the tree's output node depend on, and the values,
     linked or set on the socket itself."""
     reader = TreeReader()
-    written = {name: _value_of(reader, socket) for name, socket in (values or {}).items()}
+    written = {name: _value_of(reader, placed) for name, placed in (values or {}).items()}
     sources = [reader.read(socket).source for socket in sockets]
     for node in reader.nodes:
         modernize(node)
@@ -44,18 +51,28 @@ def export_sockets(
     )
 
 
-def aov_sockets(
-    tree: bpy.types.NodeTree, aovs: Mapping[str, str]
-) -> dict[str, bpy.types.NodeSocket]:
-    """The inputs of the tree's AOV Output nodes that a view layer asks for, by name. `aovs` is
-    VALUE or COLOR by name."""
-    nodes = (node for node in tree.nodes if node.type == "OUTPUT_AOV" and not node.mute)
-    named = ((compat.aov_name(node), node) for node in nodes)
-    return {name: node.inputs[aovs[name].capitalize()] for name, node in named if name in aovs}
+def aov_sockets(tree: bpy.types.NodeTree, aovs: Mapping[str, str]) -> dict[str, PlacedSocket]:
+    """The inputs of the AOV Output nodes, in groups, too, that a view layer asks for, by name.
+    `aovs` is VALUE or COLOR by name."""
+    return {
+        name: PlacedSocket(node.inputs[aovs[name].capitalize()], path)
+        for node, path in _aov_outputs(tree, ())
+        if (name := compat.aov_name(node)) in aovs
+    }
 
 
-def _value_of(reader: TreeReader, socket: bpy.types.NodeSocket) -> Output:
-    item = reader.read(socket)
+def _aov_outputs(tree: bpy.types.NodeTree, path: Path) -> Iterator[tuple[bpy.types.Node, Path]]:
+    for node in tree.nodes:
+        if node.mute:
+            continue
+        if node.type == "OUTPUT_AOV":
+            yield node, path
+        elif node.type == "GROUP" and node.node_tree:
+            yield from _aov_outputs(node.node_tree, (*path, node))
+
+
+def _value_of(reader: TreeReader, placed: PlacedSocket) -> Output:
+    item = reader.read(*placed)
     if item.source is not None:
         return item.source
     if isinstance(item.value, tuple):
