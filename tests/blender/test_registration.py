@@ -13,9 +13,8 @@ EXPECTED_PANELS = {
     "EEVEE_WORLD_PT_volume",
     "RENDER_PT_format",
     "RENDER_PT_output",
-    "RENDER_PT_simplify",
 }
-DEAD_PANELS = {"DATA_PT_camera_dof", "RENDER_PT_freestyle", "DATA_PT_light"}
+DEAD_PANELS = {"DATA_PT_camera_dof", "RENDER_PT_freestyle", "RENDER_PT_simplify", "DATA_PT_light"}
 
 
 def opened_panels() -> set[str]:
@@ -37,6 +36,7 @@ def test_there_is_a_panel_for_each_setting_that_blender_shows_by_engine():
         "motion_blur": "render",
         "curves": "render",
         "performance": "render",
+        "simplify": "render",
         "filter": "view_layer",
         "ray_visibility": "object",
         "object_motion_blur": "object",

@@ -29,6 +29,7 @@ _REPLACED = {
     "NODE_DATA_PT_light",
     "NODE_DATA_PT_spot",
     "RENDER_PT_freestyle",
+    "RENDER_PT_simplify",  # which would stand above the engine's own
     "VIEWLAYER_PT_filter",
 }
 # Panels that Blender shows for its own engines alone, though they suit any engine.

@@ -116,6 +116,21 @@ class EYE_RENDER_PT_performance(RenderTab, Panel):
         threads.prop(render, "threads")
 
 
+class EYE_RENDER_PT_simplify(RenderTab, Panel):
+    bl_label = "Simplify"
+    bl_options = {"DEFAULT_CLOSED"}
+
+    def draw_header(self, context):
+        self.layout.prop(context.scene.render, "use_simplify", text="")
+
+    def draw(self, context):
+        render = context.scene.render
+        column = split_column(self.layout)
+        column.active = render.use_simplify
+        column.prop(render, "simplify_subdivision_render", text="Max Subdivision")
+        column.prop(render, "simplify_child_particles_render", text="Child Particles")
+
+
 class EYE_RENDER_PT_filter(Tab, Panel):
     bl_label = "Filter"
     bl_context = "view_layer"
@@ -159,6 +174,7 @@ classes = (
     EYE_RENDER_PT_motion_blur,
     EYE_RENDER_PT_curves,
     EYE_RENDER_PT_performance,
+    EYE_RENDER_PT_simplify,
     EYE_RENDER_PT_filter,
     EYE_RENDER_PT_passes_data,
     EYE_RENDER_PT_passes_light,
