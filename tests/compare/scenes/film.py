@@ -15,6 +15,7 @@ from stage import (
     glow,
     grid_mesh,
     lamp,
+    new_tree,
     shader,
     shows,
     world,
@@ -36,6 +37,18 @@ def transparent():
 def transparent_alpha():
     """A transparent film behind a ball whose alpha is a half"""
     ball_of("BsdfPrincipled", {"Base Color": PAINT, "Alpha": 0.5, "Roughness": 1.0})
+    bpy.data.objects["Floor"].hide_render = True
+    bpy.context.scene.render.film_transparent = True
+
+
+@feature(view="OVER_MAGENTA", samples=256)
+def transparent_sum():
+    """A transparent film behind a ball that is clear and mirrors, too: it covers nothing"""
+    tree = new_tree()
+    clear = tree.node("BsdfTransparent")
+    glossy = tree.node("BsdfAnisotropic", {"Color": PAINT, "Roughness": 0.5})
+    tree.surface("AddShader", {"Shader": clear, "Shader_001": glossy})
+    ball(tree.datablock)
     bpy.data.objects["Floor"].hide_render = True
     bpy.context.scene.render.film_transparent = True
 

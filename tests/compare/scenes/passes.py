@@ -136,3 +136,14 @@ def shadow_catcher():
     """What the light leaves on a shadow catcher"""
     still_life()
     bpy.data.objects["Floor"].is_shadow_catcher = True
+
+
+@feature(shows_pass=("use_pass_shadow_catcher", "Shadow Catcher"), samples=512)
+def shadow_catcher_unlit():
+    """The same in red light alone: what nothing lights is not darkened"""
+    camera((0.0, -6.0, 2.2), (0, 0, 0.6), 30.0)
+    floor()
+    world((0.0, 0.0, 0.0))
+    sun().data.color = (1.0, 0.0, 0.0)
+    add(dressed(ball_mesh(0.6), diffuse((0.7, 0.7, 0.7))), (0.0, 0.0, 0.6))
+    bpy.data.objects["Floor"].is_shadow_catcher = True

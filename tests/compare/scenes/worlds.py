@@ -184,8 +184,9 @@ def hidden_from_glossy():
 
 @feature()
 def hidden_from_diffuse():
-    """A world that lights no diffuse surface, but mirrors show"""
-    under(lambda tree: (0.3, 0.5, 0.9, 1))
+    """A world that lights no diffuse surface, but mirrors show; and a sun"""
+    under(lambda tree: (0.3, 0.5, 0.9, 1), 0.2)
+    sun(1.5)
     bpy.context.scene.world.cycles_visibility.diffuse = False
 
 
