@@ -1,5 +1,6 @@
 // eyecore.Scene: where geometry stands, and what it wears there.
 
+#include "base/error.h"
 #include "bind_scene.h"
 
 #include <map>
@@ -33,8 +34,15 @@ void add_instances(SceneBuilder& scene,
                    const std::string& name,
                    const std::string& asset,
                    const std::string& light_group,
+                   std::uint64_t lit_classes,
+                   int blocker_set,
+                   int light_class,
+                   std::uint32_t blocker_sets,
                    const std::optional<Array<double>>& motion)
 {
+    const LightLinks links = links_from(lit_classes, blocker_set);
+    require_range("light_class", light_class, 0, max_light_classes - 1, "");
+    require_range("blocker_sets", blocker_sets, 0, (1u << max_blocker_sets) - 1u, "");
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
         throw std::invalid_argument("world_from_object has shape " +
@@ -88,6 +96,8 @@ void add_instances(SceneBuilder& scene,
                             .is_shadow_catcher = is_shadow_catcher,
                             .matte = {.object = matte_id(name), .asset = matte_id(asset)},
                             .light_group = group,
+                            .links = links,
+                            .linked = {.light_class = light_class, .blocker_sets = blocker_sets},
                             .motion = motion ? motion_of(*motion, i) : std::vector<M44d>{}});
     }
 }
@@ -103,7 +113,8 @@ void bind_instances(SceneClass& scene)
         "materials"_a = py::list(), py::kw_only(), "colors"_a = py::none(), "pass_index"_a = 0.0f,
         "randoms"_a = py::none(), "hidden_from"_a = py::list(), "is_holdout"_a = false,
         "attributes"_a = py::dict(), "is_shadow_catcher"_a = false, "name"_a = "", "asset"_a = "",
-        "light_group"_a = "", "motion"_a = py::none(),
+        "light_group"_a = "", "lit_classes"_a = LightLinks{}.lit_classes, "blocker_set"_a = 0,
+        "light_class"_a = 0, "blocker_sets"_a = 0, "motion"_a = py::none(),
         "Places a geometry at each of the matrices (n, 4, 4), one material a slot. For the\n"
         "Object Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
         "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, VOLUME_SCATTER, SHADOW rays; a "
@@ -114,7 +125,12 @@ void bind_instances(SceneClass& scene)
         "the\n"
         "object and of what it is part of. motion: the matrices (n, steps, 4, 4) at equally "
         "spaced times from\n"
-        "the shutter's opening to its close; world_from_object is that half way.");
+        "the shutter's opening to its close; world_from_object is that half way.\n"
+        "For light linking: the class of the object, and bit n - 1 for each set n of blockers "
+        "that "
+        "it\n"
+        "is in; if it shines, the classes (bits) that it lights and the set that blocks its light "
+        "(0: all).");
 }
 
 }  // namespace eye_render

@@ -46,6 +46,8 @@ void add_light(SceneBuilder& scene,
                const std::optional<NodeSocket>& surface,
                const std::vector<std::string>& hidden_from,
                const std::string& light_group,
+               std::uint64_t lit_classes,
+               int blocker_set,
                const py::kwargs& settings)
 {
     LampData lamp{.name = name,
@@ -62,6 +64,7 @@ void add_light(SceneBuilder& scene,
     }
     lamp.settings.visibility = visibility_from(hidden_from);
     lamp.light_group = scene.light_group(light_group);
+    lamp.links = links_from(lit_classes, blocker_set);
     if (surface) {
         scene.add_lamp(std::move(lamp), *surface->graph, surface->output);
     } else {
@@ -79,12 +82,15 @@ void bind_lights(SceneClass& scene)
         "add_light", &add_light, "name"_a, "kind"_a, "world_from_light"_a, "color"_a,
         py::kw_only(), "surface"_a = py::none(),
         "hidden_from"_a = std::vector<std::string>{"CAMERA"}, "light_group"_a = "",
+        "lit_classes"_a = LightLinks{}.lit_classes, "blocker_set"_a = 0,
         "kind: POINT, SUN, SPOT or AREA; color is colour times energy: W, for the sun W/m^2.\n"
         "Settings by keyword: radius, soft_falloff, angle_rad, spot_angle_rad, spot_blend,\n"
         "spot_cosine_falloff, shape (RECTANGLE or DISK), size_x, size_y, spread_rad,\n"
         "casts_shadow, has_own_space (for its nodes). surface: an output of an Emission node, "
         "which multiplies the colour;\n"
-        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION rays.");
+        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION rays. lit_classes (bits), blocker_set "
+        "(0: all):\n"
+        "what it lights, and what throws its shadows, by the numbers of add_instances.");
 }
 
 }  // namespace eye_render

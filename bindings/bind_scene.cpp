@@ -2,6 +2,8 @@
 
 #include "bind_scene.h"
 
+#include "base/error.h"
+
 #include <cmath>
 #include <optional>
 
@@ -68,6 +70,12 @@ Visibility visibility_from(const std::vector<std::string>& hidden_from)
                                                {"SHADOW", &Visibility::to_shadow}}) = false;
     }
     return visibility;
+}
+
+LightLinks links_from(std::uint64_t lit_classes, int blocker_set)
+{
+    require_range("blocker_set", blocker_set, 0, max_blocker_sets, "");
+    return {.lit_classes = lit_classes, .blocker_set = blocker_set};
 }
 
 void bind_scene(py::module_& m)

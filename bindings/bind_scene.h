@@ -23,6 +23,9 @@ void bind_lights(SceneClass& scene);
 // What is not named sees and is seen.
 [[nodiscard]] Visibility visibility_from(const std::vector<std::string>& hidden_from);
 
+// Throws std::invalid_argument if there is no such set.
+[[nodiscard]] LightLinks links_from(std::uint64_t lit_classes, int blocker_set);
+
 // Three numbers, linear Rec. 709; `name` is what they are for, as errors say it.
 [[nodiscard]] Color3f color_from(const std::string& name, const py::handle& value);
 

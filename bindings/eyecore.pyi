@@ -342,6 +342,10 @@ class Scene:
         name: str = "",
         asset: str = "",
         light_group: str = "",
+        lit_classes: int = ...,
+        blocker_set: int = 0,
+        light_class: int = 0,
+        blocker_sets: int = 0,
         motion: ArrayLike | None = None,
     ) -> None: ...
     def add_light(
@@ -354,6 +358,8 @@ class Scene:
         surface: NodeSocket | None = None,
         hidden_from: Sequence[str] = ("CAMERA",),
         light_group: str = "",
+        lit_classes: int = ...,
+        blocker_set: int = 0,
         radius: float = 0.0,
         soft_falloff: bool = True,
         angle_rad: float = 0.0,

@@ -62,6 +62,14 @@ def light_factor(light: bpy.types.Light) -> tuple[np.ndarray, bool]:
     return factor, getattr(light, "normalize", True)
 
 
+def linked_collections(
+    shown: bpy.types.Object,
+) -> tuple[bpy.types.Collection | None, bpy.types.Collection | None]:
+    """What the object alone lights, and what alone throws its shadows; from Blender 4.0."""
+    linking = getattr(shown, "light_linking", None)
+    return (linking.receiver_collection, linking.blocker_collection) if linking else (None, None)
+
+
 # Before 4.4, nodes of a lamp find the world's coordinates where they ask for the object's.
 LIGHTS_HAVE_OWN_SPACE = bpy.app.version >= (4, 4, 0)
 
@@ -112,15 +120,6 @@ def has_transparent_shadow(material: bpy.types.Material) -> bool:
         if hasattr(owner, "use_transparent_shadow"):
             return owner.use_transparent_shadow
     return True
-
-
-def linked_collections(shown: bpy.types.Object) -> list[tuple[str, bpy.types.Collection]]:
-    """Of light linking, from Blender 4.0: what the object lights alone, and what alone throws
-    shadows in its light."""
-    linking = getattr(shown, "light_linking", None)
-    kinds = (("receivers", "receiver_collection"), ("blockers", "blocker_collection"))
-    found = ((kind, getattr(linking, name, None)) for kind, name in kinds)
-    return [(kind, collection) for kind, collection in found if collection is not None]
 
 
 def working_space() -> str:

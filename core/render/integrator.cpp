@@ -123,6 +123,9 @@ private:
         scene_.visit_lamps(
             last_->point, path_, ray.direction, travelled_, travelled_ + t_end,
             [this](const LampContribution& lamp) {
+                if (!finds(lamp.links)) {
+                    return;
+                }
                 const Color3f left = media_.in_medium()
                                          ? media_.mixture().transmittance(lamp.t - travelled_)
                                          : Color3f(1.0f);
@@ -161,7 +164,7 @@ private:
 
     void add_emission(const SurfaceHit& hit, const Color3f& emission)
     {
-        if (is_light(emission)) {
+        if (is_light(emission) && finds(hit.placement->links)) {
             const float light_pdf = last_->is_delta ? 0.0f : scene_.emitter_pdf(hit, last_->point);
             light_.add(throughput_ * emission * last_->weight_against(light_pdf),
                        {.group = hit.placement->light_group}, path_.depth);
@@ -180,7 +183,8 @@ private:
         // A float's 24 bits are too few to choose among many lights.
         const double choice = u[2] + 0x1p-24 * static_cast<double>(u[3]);
         const auto light = scene_.sample_light(last_.next_point(), choice, V2f(u[0], u[1]));
-        if (!light || (path_.sees_catchers_only && !light->is_of_catcher)) {
+        if (!light || !light->links.lights(hit.placement->light_class) ||
+            (path_.sees_catchers_only && !light->is_of_catcher)) {
             return;
         }
         BsdfValue scattered = bsdf.evaluate(light->wi);

@@ -67,7 +67,7 @@ ScatteredLight sample_scattered_light(const Scene& scene,
     scene.weigh_lights(p_world, V3f(0.0f), point);
     const auto u = sequence.next();
     const auto light = scene.sample_light(point, fine(u[2], u[3]), V2f(u[0], u[1]));
-    if (!light || !light->visibility.to_volume_scatter ||
+    if (!light || !light->visibility.to_volume_scatter || !light->links.lights(0) ||
         (path.sees_catchers_only && !light->is_of_catcher)) {
         return {};
     }
@@ -83,7 +83,7 @@ ScatteredLight sample_scattered_light(const Scene& scene,
                                           .direction = light->wi,
                                           .t_max = light->distance,
                                           .time = segment.time},
-                                         path, most_passages, &media);
+                                         path, most_passages, &media, light->links.blocker_set);
     }
     return {scattered, light->origin};
 }

@@ -34,6 +34,7 @@ bool PathWalk::fly(Ray& ray, std::optional<float> t_surface)
         light_.scatter_first(shares_of_medium);
     }
     note_medium_scattering(path_, pdf);
+    light_class_ = 0;
     shows_film_ = false;
     length_ += (p_world - ray.origin).length();
     scene_.weigh_lights(p_world, V3f(0.0f), last_.next_point());
@@ -49,6 +50,7 @@ bool PathWalk::fly(Ray& ray, std::optional<float> t_surface)
 void PathWalk::scatter(Ray& ray, const SurfaceHit& hit, const BsdfSample& sample)
 {
     note_scattering(path_, sample, settings_.limits);
+    light_class_ = hit.placement->light_class;
     shows_film_ = shows_film_ && sample.is_transmitted &&
                   sample.alpha_squared <= settings_.clear_alpha_squared;
     if (sample.is_transmitted) {

@@ -49,6 +49,14 @@ protected:
 
     void scatter(Ray& ray, const SurfaceHit& hit, const BsdfSample& sample);
 
+    // Whether light counts that the path's ray finds. What only some objects block is left to
+    // light sampling, which looks for these alone.
+    [[nodiscard]] bool finds(const LightLinks& links) const
+    {
+        return path_.is_camera ||
+               (links.lights(light_class_) && (links.blocker_set == 0 || last_->is_delta));
+    }
+
     // Of shadow rays, through what is clear.
     [[nodiscard]] int passages_left() const
     {
@@ -69,6 +77,7 @@ protected:
     PathState path_;
     MediumStack media_;
     int boundaries_ = 0;
+    int light_class_ = 0;     // of what the path was last scattered by
     bool shows_film_ = true;  // nothing has come between it and the eye but what is clear
 };
 

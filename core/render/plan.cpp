@@ -104,8 +104,6 @@ RenderPlan make_plan(const SceneData& scene, std::vector<PassRequest> passes)
         for (const std::size_t material : instance.materials) {
             materials.push_back(&scene.materials[material]);
         }
-        plan.transparent_shadows = plan.transparent_shadows || instance.is_shadow_catcher ||
-                                   !instance.visibility.to_shadow;
         plan.shadow_catcher = plan.shadow_catcher || instance.is_shadow_catcher;
         plan.filled_objects +=
             std::ranges::any_of(

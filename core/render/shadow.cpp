@@ -33,13 +33,13 @@ Color3f unshadowed(const Scene& scene,
     }
     const Ray ray = shadow_ray(hit, light);
     if (!scene.has_media()) {
-        return scene.transmittance(ray, path, most_passages);
+        return scene.transmittance(ray, path, most_passages, nullptr, light.links.blocker_set);
     }
     MediumStack passed = media;
     if (light.wi.dot(hit.point.ng) < 0.0f) {
         passed.cross(hit);
     }
-    return scene.transmittance(ray, path, most_passages, &passed);
+    return scene.transmittance(ray, path, most_passages, &passed, light.links.blocker_set);
 }
 
 }  // namespace eye_render

@@ -19,7 +19,7 @@ bool is_traceable(const Ray& ray)
     return std::isfinite(sum.x + sum.y + sum.z) && ray.t_min <= ray.t_max;
 }
 
-RTCRay to_embree(const Ray& ray)
+RTCRay to_embree(const Ray& ray, RayMask mask)
 {
     RTCRay r;
     r.org_x = ray.origin.x;
@@ -31,7 +31,7 @@ RTCRay to_embree(const Ray& ray)
     r.tnear = ray.t_min;
     r.tfar = ray.t_max;
     r.time = ray.time;
-    r.mask = ~0u;
+    r.mask = mask;
     r.id = 0;
     r.flags = 0;
     return r;
@@ -50,6 +50,9 @@ Accelerator::Accelerator() : device_(rtcNewDevice(nullptr))
     if (!device_) {
         throw std::runtime_error("Embree cannot start on this processor (Embree error " +
                                  std::to_string(rtcGetDeviceError(nullptr)) + ")");
+    }
+    if (rtcGetDeviceProperty(device_.get(), RTC_DEVICE_PROPERTY_RAY_MASK_SUPPORTED) == 0) {
+        throw std::runtime_error("this Embree was built without ray masks");
     }
     root_ = new_scene();
 }
@@ -73,33 +76,40 @@ void Accelerator::check_device() const
     }
 }
 
-std::uint32_t Accelerator::attach(RTCSceneTy* scene, std::uint32_t id, const Shape& shape)
+std::uint32_t Accelerator::attach(RTCSceneTy* scene,
+                                  std::uint32_t id,
+                                  const Shape& shape,
+                                  RayMask met_by)
 {
     EmbreeShape made = make_embree_shape(device_.get(), shape);
+    rtcSetGeometryMask(made.geometry, met_by);
+    rtcCommitGeometry(made.geometry);
     rtcAttachGeometryByID(scene, made.geometry, id);
     rtcReleaseGeometry(made.geometry);
     positions_.push_back(std::move(made.positions));
     return static_cast<std::uint32_t>(positions_.size() - 1);
 }
 
-std::uint32_t Accelerator::add_flat(const Shape& shape)
+std::uint32_t Accelerator::add_flat(const Shape& shape, RayMask met_by)
 {
     const auto placement = static_cast<std::uint32_t>(shape_of_placement_.size());
-    shape_of_placement_.push_back(attach(root_.get(), placement, shape));
+    shape_of_placement_.push_back(attach(root_.get(), placement, shape, met_by));
     return placement;
 }
 
 Accelerator::Prototype Accelerator::add_prototype(const Shape& shape)
 {
     SceneHandle scene = new_scene();
-    const std::uint32_t number = attach(scene.get(), 0, shape);
+    const std::uint32_t number = attach(scene.get(), 0, shape, all_rays);
     rtcCommitScene(scene.get());
     check_device();
     prototypes_.push_back({std::move(scene), number});
     return static_cast<Prototype>(prototypes_.size() - 1);
 }
 
-std::uint32_t Accelerator::place(Prototype prototype, std::span<const M44d> world_from_object)
+std::uint32_t Accelerator::place(Prototype prototype,
+                                 std::span<const M44d> world_from_object,
+                                 RayMask met_by)
 {
     const auto placement = static_cast<std::uint32_t>(shape_of_placement_.size());
     RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_INSTANCE);
@@ -111,6 +121,7 @@ std::uint32_t Accelerator::place(Prototype prototype, std::span<const M44d> worl
     } else {
         set_embree_motion(geometry, world_from_object);
     }
+    rtcSetGeometryMask(geometry, met_by);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(root_.get(), geometry, placement);
     rtcReleaseGeometry(geometry);
@@ -132,13 +143,13 @@ void Accelerator::build()
     check_device();
 }
 
-std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray) const
+std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray, RayMask mask) const
 {
     if (!is_traceable(ray)) {
         return std::nullopt;
     }
     RTCRayHit query;
-    query.ray = to_embree(ray);
+    query.ray = to_embree(ray, mask);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
     embree::intersect(root_.get(), query);
@@ -154,12 +165,12 @@ std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray) const
                           .primitive = query.hit.primID};
 }
 
-bool Accelerator::occluded(const Ray& ray) const
+bool Accelerator::occluded(const Ray& ray, RayMask mask) const
 {
     if (!is_traceable(ray)) {
         return true;
     }
-    RTCRay query = to_embree(ray);
+    RTCRay query = to_embree(ray, mask);
     embree::occluded(root_.get(), query);
     return query.tfar < 0.0f;
 }

@@ -57,12 +57,14 @@ public:
 
     // Adds a shape in world space. Returns its placement number; placements count from 0 in the
     // order of `add_flat` and `place`.
-    std::uint32_t add_flat(const Shape& shape);
+    std::uint32_t add_flat(const Shape& shape, RayMask met_by = all_rays);
 
     using Prototype = std::uint32_t;
     [[nodiscard]] Prototype add_prototype(const Shape& shape);
     // At one place, or at those of the times of motion.h: invertible matrices.
-    std::uint32_t place(Prototype prototype, std::span<const M44d> world_from_object);
+    std::uint32_t place(Prototype prototype,
+                        std::span<const M44d> world_from_object,
+                        RayMask met_by = all_rays);
 
     // Builds the hierarchy; call once, before the first query. Throws std::runtime_error when
     // Embree fails (out of memory, say).
@@ -70,8 +72,9 @@ public:
 
     // A ray that is not finite meets nothing and is occluded: it brings no light either way.
     // Embree itself may end the process for one.
-    [[nodiscard]] std::optional<AcceleratorHit> intersect(const Ray& ray) const;
-    [[nodiscard]] bool occluded(const Ray& ray) const;
+    [[nodiscard]] std::optional<AcceleratorHit> intersect(const Ray& ray,
+                                                          RayMask mask = all_rays) const;
+    [[nodiscard]] bool occluded(const Ray& ray, RayMask mask = all_rays) const;
 
     // Vertices of a flat mesh or of a prototype, as the hierarchy holds them.
     [[nodiscard]] const MotionSteps<V3f>& positions(std::uint32_t placement) const
@@ -94,7 +97,7 @@ private:
     [[nodiscard]] SceneHandle new_scene() const;
     void check_device() const;
     // Into `scene` as geometry number `id`; returns the number of its positions.
-    std::uint32_t attach(RTCSceneTy* scene, std::uint32_t id, const Shape& shape);
+    std::uint32_t attach(RTCSceneTy* scene, std::uint32_t id, const Shape& shape, RayMask met_by);
 
     struct PlacedPrototype {
         SceneHandle scene;

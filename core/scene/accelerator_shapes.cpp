@@ -49,11 +49,7 @@ public:
     }
 
     [[nodiscard]] RTCGeometry get() const { return geometry_; }
-    [[nodiscard]] RTCGeometry commit()
-    {
-        rtcCommitGeometry(geometry_);
-        return std::exchange(geometry_, nullptr);
-    }
+    [[nodiscard]] RTCGeometry release() { return std::exchange(geometry_, nullptr); }
 
 private:
     RTCGeometry geometry_;
@@ -92,7 +88,7 @@ EmbreeShape make(RTCDevice device, const TriangleShape& shape)
                           .buffer<TriangleIndices>(RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                    shape.triangles.size())
                           .begin());
-    made.geometry = geometry.commit();
+    made.geometry = geometry.release();
     return made;
 }
 
@@ -145,7 +141,7 @@ EmbreeShape make(RTCDevice device, const StrandsShape& shape)
     if (shape.kind != StrandShape::Ribbon) {
         meet_from_outside(geometry.get());
     }
-    return {.geometry = geometry.commit()};
+    return {.geometry = geometry.release()};
 }
 
 EmbreeShape make(RTCDevice device, const BallsShape& shape)
@@ -160,7 +156,7 @@ EmbreeShape make(RTCDevice device, const BallsShape& shape)
                               .begin());
     }
     meet_from_outside(geometry.get());
-    return {.geometry = geometry.commit()};
+    return {.geometry = geometry.release()};
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ struct RTCGeometryTy;
 namespace eye_render {
 
 struct EmbreeShape {
-    RTCGeometryTy* geometry;       // committed; the caller releases it
+    RTCGeometryTy* geometry;       // not committed; the caller releases it
     MotionSteps<V3f> positions{};  // of triangles: Embree's copy, padded for its vector loads
 };
 

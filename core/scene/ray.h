@@ -5,9 +5,14 @@
 #include "base/vector.h"
 #include "scene/motion.h"
 
+#include <cstdint>
 #include <limits>
 
 namespace eye_render {
+
+// A placement is met by the rays whose mask shares a bit with its own.
+using RayMask = std::uint32_t;
+inline constexpr RayMask all_rays = ~RayMask{0};
 
 struct Ray {
     V3f origin{0.0f};

@@ -41,27 +41,19 @@ Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFra
 
 std::optional<SurfaceHit> Scene::intersect(const Ray& ray, const PathState& path) const
 {
-    Ray rest = ray;
-    float travelled = 0.0f;
-    for (int passages = 0; passages <= max_straight_passages; ++passages) {
-        const auto found = accelerator_.intersect(rest);
-        if (!found) {
-            break;
-        }
-        const Placement& placement = placements_[found->placement];
-        std::optional<Pose> moved;
-        SurfaceHit hit =
-            make_surface_hit(rest, *found, placement, pose_at(placement, ray.time, moved),
-                             accelerator_.positions(found->placement));
-        const bool is_there = !path.sees_catchers_only || placement.is_shadow_catcher;
-        if (!has_hidden_ || (is_there && placement.visibility.sees(path))) {
-            hit.t += travelled;
-            return hit;
-        }
-        travelled += hit.t;
-        rest = passed_through(rest, hit);
+    return nearest(ray, ray_mask(path));
+}
+
+std::optional<SurfaceHit> Scene::nearest(const Ray& ray, RayMask mask) const
+{
+    const auto found = accelerator_.intersect(ray, mask);
+    if (!found) {
+        return std::nullopt;
     }
-    return std::nullopt;
+    const Placement& placement = placements_[found->placement];
+    std::optional<Pose> moved;
+    return make_surface_hit(ray, *found, placement, pose_at(placement, ray.time, moved),
+                            accelerator_.positions(found->placement));
 }
 
 const Pose& Scene::pose_at(const Placement& placement,
@@ -98,20 +90,22 @@ Color3f Scene::straight_transmittance(const SurfaceHit& hit, const PathState& pa
 Color3f Scene::transmittance(const Ray& ray,
                              const PathState& path,
                              int most_passages,
-                             MediumStack* media) const
+                             MediumStack* media,
+                             int blocker_set) const
 {
-    if (!may_be_transparent_ && media == nullptr) {
-        return Color3f(accelerator_.occluded(ray) ? 0.0f : 1.0f);
-    }
-    Color3f result(1.0f);
     PathState shadow = path;
     shadow.is_camera = false;
     shadow.is_shadow = true;
+    const RayMask mask = ray_mask(shadow, blocker_set);
+    if (!may_be_transparent_ && media == nullptr) {
+        return Color3f(accelerator_.occluded(ray, mask) ? 0.0f : 1.0f);
+    }
+    Color3f result(1.0f);
     Ray rest = ray;
     float travelled = 0.0f;
     int boundaries = 0;
     for (int passages = 0; passages <= most_passages && boundaries <= max_boundaries;) {
-        const auto hit = intersect(rest, shadow);
+        const auto hit = nearest(rest, mask);
         if (hit && !hit->material().surface.may_be_transparent()) {
             break;
         }

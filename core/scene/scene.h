@@ -43,6 +43,7 @@ struct IncomingLight {
     Visibility visibility{};    // for which kinds of scattering it is there
     bool is_surface = false;    // of an object: a thing that is seen, not a lamp or the world
     bool is_of_catcher = true;  // there, too, where only shadow catchers are: all but objects
+    LightLinks links{};
     LightOrigin origin{};
 };
 
@@ -51,6 +52,7 @@ struct LampContribution {
     float t = 0.0f;  // from the point
     Color3f radiance;
     float pdf = 0.0f;
+    LightLinks links;
     LightOrigin origin;
 };
 
@@ -98,11 +100,12 @@ public:
 
     // The part of the light that passes along the ray: 0 behind an opaque surface, and behind more
     // than that many clear ones. `path` is that of the place it starts from, and so are `media`,
-    // which the ray takes along; null in a scene without.
+    // which the ray takes along; null in a scene without. `blocker_set` is the light's.
     [[nodiscard]] Color3f transmittance(const Ray& ray,
                                         const PathState& path = {},
                                         int most_passages = max_straight_passages,
-                                        MediumStack* media = nullptr) const;
+                                        MediumStack* media = nullptr,
+                                        int blocker_set = 0) const;
 
     // True if something fills a mesh or the world: then rays must look after what they are in.
     [[nodiscard]] bool has_media() const { return world_medium_ || !media_.empty(); }
@@ -162,6 +165,7 @@ public:
                     hit->t,
                     hit->radiance * lamp_factor(index, sight, path),
                     hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point),
+                    data_.lamps[index].links,
                     {.group = data_.lamps[index].light_group}});
             }
         });
@@ -179,6 +183,7 @@ public:
     }
 
 private:
+    [[nodiscard]] std::optional<SurfaceHit> nearest(const Ray& ray, RayMask mask) const;
     // What `look` says about the attributes of the place that was hit.
     template <typename Look>
     [[nodiscard]] auto look_at(const SurfaceHit& hit, const Look& look) const;
@@ -192,7 +197,6 @@ private:
                                    const V3f& wo) const;
     void add_placements();
     [[nodiscard]] std::vector<const Material*> materials_of(const InstanceData& instance) const;
-    void note_visibility(const Placement& placement);
     void add_lamps();
     void add_media();
     // `box` of its geometry.
@@ -239,8 +243,7 @@ private:
     LampTree camera_lamps_;               // and those of them that the camera sees
     Environment environment_;
     LightSampler light_sampler_;
-    bool may_be_transparent_ = false;  // some material or object lets light straight through
-    bool has_hidden_ = false;          // some object is not seen by all rays
+    bool may_be_transparent_ = false;  // some material lets light straight through
 };
 
 }  // namespace eye_render

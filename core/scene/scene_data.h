@@ -6,6 +6,7 @@
 #include "base/matte_id.h"
 #include "scene/geometry.h"
 #include "scene/lamp.h"
+#include "scene/light_links.h"
 #include "scene/light_origin.h"
 #include "scene/textures.h"
 #include "scene/visibility.h"
@@ -42,6 +43,8 @@ struct InstanceData {
     bool is_shadow_catcher = false;
     MatteIds matte{};
     int light_group = no_light_group;
+    LightLinks links{};  // of its own light
+    LinkedObject linked{};
     // Places at the times of motion.h; empty: still. `world_from_object` is that at the shutter's
     // middle.
     std::vector<M44d> motion{};
@@ -50,6 +53,7 @@ struct InstanceData {
 struct LampData {
     std::string name;
     int light_group = no_light_group;
+    LightLinks links{};
     LampSettings settings;  // world_from_light is left out of account
     M44d world_from_light;
     // Multiplies its light, where that is not one colour (which is part of the settings).

@@ -114,18 +114,20 @@ std::optional<IncomingLight> Scene::sample_light(const LitPoint& point,
     switch (choice->kind) {
     case LightKind::Lamp: {
         const Lamp& lamp = lamps_[choice->index];
+        const LightLinks& links = data_.lamps[choice->index].links;
         if (const auto sample = sample_lamp(lamp, p, u)) {
             const LampSight sight{
                 .p_lit_world = p, .wi = sample->wi, .distance = sample->distance};
-            light = IncomingLight{.wi = sample->wi,
-                                  .distance = sample->distance * (1.0f - shadow_margin),
-                                  .radiance = sample->radiance *
-                                              lamp_factor(choice->index, sight, light_path),
-                                  .pdf = sample->pdf,
-                                  .is_met_by_rays = !lamp.is_delta && lamp.casts_shadow,
-                                  .casts_shadow = lamp.casts_shadow,
-                                  .visibility = lamp.visibility,
-                                  .origin = {.group = data_.lamps[choice->index].light_group}};
+            light = IncomingLight{
+                .wi = sample->wi,
+                .distance = sample->distance * (1.0f - shadow_margin),
+                .radiance = sample->radiance * lamp_factor(choice->index, sight, light_path),
+                .pdf = sample->pdf,
+                .is_met_by_rays = !lamp.is_delta && lamp.casts_shadow && links.blocker_set == 0,
+                .casts_shadow = lamp.casts_shadow,
+                .visibility = lamp.visibility,
+                .links = links,
+                .origin = {.group = data_.lamps[choice->index].light_group}};
         }
         break;
     }
@@ -188,9 +190,11 @@ std::optional<IncomingLight> Scene::sample_emitter(std::uint32_t index,
                          .radiance =
                              emission(emitter, {b.y, 1.0f - b.x - b.y}, -to_light / distance),
                          .pdf = uniform_triangle_pdf() * distance2 * distance / projected,
+                         .is_met_by_rays = emitter.placement->links.blocker_set == 0,
                          .visibility = emitter.placement->visibility,
                          .is_surface = true,
                          .is_of_catcher = emitter.placement->is_shadow_catcher,
+                         .links = emitter.placement->links,
                          .origin = {.group = emitter.placement->light_group}};
 }
 

@@ -158,10 +158,16 @@ void Scene::add_placements()
              .is_shadow_catcher = instance.is_shadow_catcher,
              .matte = instance.matte,
              .light_group = instance.light_group,
+             .links = instance.links,
+             .light_class = instance.linked.light_class,
              .emitters = {}});
-        note_visibility(placements_.back());
+        for (const Material* material : placements_.back().materials) {
+            may_be_transparent_ = may_be_transparent_ || material->surface.may_be_transparent();
+        }
+        const RayMask mask =
+            met_by(instance.visibility, instance.is_shadow_catcher, instance.linked);
         if (is_flat) {
-            accelerator_.add_flat(WorldShape(geometry, world_from_object).get());
+            accelerator_.add_flat(WorldShape(geometry, world_from_object).get(), mask);
             continue;
         }
         auto& prototype = prototypes[instance.geometry];
@@ -176,7 +182,7 @@ void Scene::add_placements()
                 places.push_back(relative_to_eye(place, frame_.eye_position_world));
             }
         }
-        accelerator_.place(*prototype, places);
+        accelerator_.place(*prototype, places, mask);
     }
 }
 
@@ -190,16 +196,6 @@ std::vector<const Material*> Scene::materials_of(const InstanceData& instance) c
         materials.push_back(&grey_);
     }
     return materials;
-}
-
-void Scene::note_visibility(const Placement& placement)
-{
-    for (const Material* material : placement.materials) {
-        may_be_transparent_ = may_be_transparent_ || material->surface.may_be_transparent();
-    }
-    has_hidden_ = has_hidden_ || placement.is_shadow_catcher || !placement.visibility.to_all();
-    may_be_transparent_ =
-        may_be_transparent_ || placement.is_shadow_catcher || !placement.visibility.to_shadow;
 }
 
 }  // namespace eye_render

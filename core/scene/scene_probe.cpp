@@ -10,7 +10,7 @@ namespace eye_render {
 
 bool Scene::is_blocked(const Ray& ray) const
 {
-    return has_hidden_ ? intersect(ray, shadow_path).has_value() : accelerator_.occluded(ray);
+    return accelerator_.occluded(ray, ray_mask(shadow_path));
 }
 
 void Scene::visit_object(const Ray& ray,

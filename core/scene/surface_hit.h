@@ -43,6 +43,8 @@ struct Placement {
     bool is_shadow_catcher = false;
     MatteIds matte;
     int light_group = no_light_group;
+    LightLinks links;  // of its own light
+    int light_class = 0;
     std::vector<int>
         emitters;  // per triangle, its number among the emitters or -1; empty: none emit
 

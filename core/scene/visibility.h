@@ -2,6 +2,7 @@
 
 #pragma once
 
+#include "scene/ray.h"
 #include "shading/node.h"
 
 namespace eye_render {
@@ -13,12 +14,6 @@ struct Visibility {
     bool to_transmission = true;
     bool to_volume_scatter = true;
     bool to_shadow = true;
-
-    [[nodiscard]] bool to_all() const
-    {
-        return to_camera && to_diffuse && to_glossy && to_transmission && to_volume_scatter &&
-               to_shadow;
-    }
 
     [[nodiscard]] bool to_all_scattering() const
     {
@@ -47,22 +42,41 @@ struct Visibility {
     }
 
     // Of a surface, for the ray that the path is about to follow.
-    [[nodiscard]] bool sees(const PathState& path) const
+    [[nodiscard]] bool sees(const PathState& path) const { return (mask() & ray_mask(path)) != 0; }
+
+    // Of a placement: the kinds of rays that meet it.
+    [[nodiscard]] RayMask mask() const
+    {
+        return (to_camera ? camera : 0u) | (to_diffuse ? diffuse : 0u) |
+               (to_glossy ? glossy : 0u) | (to_transmission ? transmission : 0u) |
+               (to_volume_scatter ? volume_scatter : 0u) | (to_shadow ? shadow : 0u);
+    }
+
+    // The kind of the ray that the path is about to follow.
+    [[nodiscard]] static RayMask ray_mask(const PathState& path)
     {
         if (path.is_shadow) {
-            return to_shadow;
+            return shadow;
         }
         if (path.is_camera) {
-            return to_camera;
+            return camera;
         }
         if (path.is_volume_scatter) {
-            return to_volume_scatter;
+            return volume_scatter;
         }
         if (path.is_transmission) {
-            return to_transmission;
+            return transmission;
         }
-        return path.is_diffuse ? to_diffuse : to_glossy;
+        return path.is_diffuse ? diffuse : glossy;
     }
+
+    static constexpr RayMask camera = 1u << 0;
+    static constexpr RayMask diffuse = 1u << 1;
+    static constexpr RayMask glossy = 1u << 2;
+    static constexpr RayMask transmission = 1u << 3;
+    static constexpr RayMask volume_scatter = 1u << 4;
+    static constexpr RayMask shadow = 1u << 5;
+    static constexpr int kind_count = 6;
 };
 
 }  // namespace eye_render

@@ -321,22 +321,6 @@ def test_grease_pencil_is_said_to_be_drawn_by_blender(scene, export):
     assert "drawn over the picture by Blender" in warning
 
 
-def test_light_linking_is_named(scene, export, monkeypatch):
-    add_object(quad_mesh(), "Panel")
-    linked = [("receivers", SimpleNamespace(name="Shelf"))]
-    monkeypatch.setattr(compat, "linked_collections", lambda _shown: linked)
-    (warning,) = export().warnings
-    assert "'Panel' to the receivers 'Shelf'" in warning
-
-
-def test_light_linkings_collections_are_those_that_blender_has_set():
-    shelf = SimpleNamespace(name="Shelf")
-    linking = SimpleNamespace(receiver_collection=None, blocker_collection=shelf)
-    shown = SimpleNamespace(light_linking=linking)
-    assert compat.linked_collections(shown) == [("blockers", shelf)]
-    assert compat.linked_collections(SimpleNamespace()) == []
-
-
 def test_another_working_space_is_said(scene, depsgraph_of, monkeypatch):
     warnings = []
     export_scene(depsgraph_of(), warnings.append, lambda: None)

@@ -34,6 +34,12 @@ def test_no_world_is_black(export):
     assert export().world == (0.0, 0.0, 0.0)
 
 
+def test_a_layer_without_environment_is_black(scene, export, world):
+    surface(world, "ShaderNodeBackground")
+    scene.view_layers[0].use_sky = False
+    assert export().world == (0.0, 0.0, 0.0)
+
+
 def test_a_world_without_surface_is_black(export, world):
     assert export().world == (0.0, 0.0, 0.0)
 

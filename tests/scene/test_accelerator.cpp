@@ -106,6 +106,27 @@ TEST(Accelerator, placed_prototype_is_hit_where_its_matrix_puts_it)
     EXPECT_FALSE(accelerator.intersect({.origin = V3f(5, 0, 0), .t_max = 6.0f}));
 }
 
+TEST(Accelerator, a_ray_meets_what_shares_a_bit_with_its_mask)
+{
+    const std::vector<V3f> positions{{-1, -1, -1}, {1, -1, -1}, {0, 1, -1}};
+    const std::vector<TriangleIndices> triangles{{0, 1, 2}};
+    const TriangleShape shape{triangles, {{positions}}};
+    Accelerator accelerator;
+    accelerator.add_flat(shape, 0b01);
+    // In the same place, so that nothing but the mask tells them apart.
+    const std::vector<M44d> place{M44d()};
+    accelerator.place(accelerator.add_prototype(shape), place, 0b10);
+    accelerator.build();
+    for (const RayMask mask : {0b01u, 0b10u}) {
+        const auto found = accelerator.intersect({}, mask);
+        ASSERT_TRUE(found) << mask;
+        EXPECT_EQ(found->placement, mask == 0b01u ? 0u : 1u);
+        EXPECT_TRUE(accelerator.occluded({}, mask)) << mask;
+    }
+    EXPECT_FALSE(accelerator.intersect({}, 0b100));
+    EXPECT_FALSE(accelerator.occluded({}, 0b100));
+}
+
 TEST(Accelerator, rays_that_are_not_finite_bring_no_light)
 {
     std::mt19937 random(1);

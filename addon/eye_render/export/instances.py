@@ -8,8 +8,9 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from .. import compat, core, cryptomatte, passes
+from .. import core, cryptomatte, passes
 from .light import LightTable
+from .light_links import LightLinks, Linked, Links
 from .material import MaterialTable
 from .motion import Key, Motion, key_of, steps_of
 from .object_properties import PropertyReader
@@ -33,6 +34,8 @@ class _Look(NamedTuple):
     visibility: Visibility
     motion_steps: int  # 0 without motion blur
     light_group: str = ""
+    links: Links = Links()
+    linked: Linked = Linked()
     # For Cryptomatte, where it is asked for: names keep apart what may be placed together.
     name: str = ""
     asset: str = ""
@@ -101,6 +104,7 @@ class _Collector:
         names: cryptomatte.MatteNames,
         warn: Callable[[str], None],
         motion: Motion | None,
+        links: LightLinks,
     ):
         self.geometries: dict[tuple[int, str], _Geometry] = {}
         self._depsgraph = depsgraph
@@ -109,6 +113,7 @@ class _Collector:
         self._has_names = bool(passes.cryptomatte_kinds(depsgraph.view_layer_eval))
         self._warn = warn
         self._motion = motion
+        self._links = links
         self._reader = PropertyReader(depsgraph, warn)
 
     def groups_of(
@@ -116,7 +121,6 @@ class _Collector:
     ) -> list[_Group]:
         """One for each geometry that the object brings."""
         shown, motion = instance.object, self._motion
-        _warn_of_light_linking(shown, self._warn)
         if _is_smoke(shown):
             self._warn(
                 f"Smoke of '{shown.name}' is left out: it varies in space, which is not supported"
@@ -124,6 +128,7 @@ class _Collector:
             return []
         visibility = visibility_of(shown, placer, self._depsgraph.view_layer_eval)
         light_group = light_group_of(shown, placer, self._depsgraph.view_layer_eval)
+        links, linked = self._links.of_light(shown), self._links.of_object(shown, placer)
         slots = self._materials.worn_by(shown)
         steps = steps_of(shown, placer) if motion else 0
         groups = []
@@ -131,7 +136,8 @@ class _Collector:
             if source.key not in self.geometries:
                 poses = motion.poses(instance, source, steps) if steps else []
                 self.geometries[source.key] = _Geometry(source, poses)
-            look = _Look(source.worn(slots), shown.pass_index, visibility, steps, light_group)
+            worn = source.worn(slots)
+            look = _Look(worn, shown.pass_index, visibility, steps, light_group, links, linked)
             if self._has_names:
                 look = self._named(look, shown)
             known = self.geometries[source.key].groups
@@ -162,7 +168,8 @@ def export_instances(
 
     `motion` is what was found while the shutter is open; None without motion blur.
     """
-    collector = _Collector(depsgraph, materials, names, warn, motion)
+    links = LightLinks(depsgraph, warn)
+    collector = _Collector(depsgraph, materials, names, warn, motion, links)
     reads_uvs = passes.needs_uvs(depsgraph.view_layer_eval)
     groups: dict[tuple[int, int, int], list[_Group]] = {}
     for instance in depsgraph.object_instances:
@@ -171,10 +178,15 @@ def export_instances(
             continue
         placer = instance.parent if instance.is_instance else shown
         if shown.type == "LIGHT":
-            _warn_of_light_linking(shown, warn)
             seen = visibility_of(shown, placer, depsgraph.view_layer_eval)
             light_group = light_group_of(shown, placer, depsgraph.view_layer_eval)
-            lights.add(shown, instance.matrix_world, seen.hidden_from, light_group)
+            lights.add(
+                shown,
+                instance.matrix_world,
+                seen.hidden_from,
+                light_group,
+                links.of_light(shown),
+            )
         elif shown.type in TYPES:
             address = shown.data.as_pointer()
             key = (shown.original.as_pointer(), address, placer.original.as_pointer())
@@ -233,6 +245,8 @@ def _add_group(
                 is_holdout=group.look.visibility.is_holdout,
                 is_shadow_catcher=group.look.visibility.is_shadow_catcher,
                 light_group=group.look.light_group,
+                **group.look.links._asdict(),
+                **group.look.linked._asdict(),
                 name=group.look.name,
                 asset=group.look.asset,
                 **group.told(chosen),
@@ -256,14 +270,6 @@ def _as_array(matrices: list[Matrix]) -> np.ndarray:
     rows = chain.from_iterable(matrices)
     numbers = chain.from_iterable(rows)
     return np.fromiter(numbers, np.float64, 16 * len(matrices)).reshape(-1, 4, 4)
-
-
-def _warn_of_light_linking(shown: bpy.types.Object, warn: Callable[[str], None]) -> None:
-    for kind, collection in compat.linked_collections(shown):
-        warn(
-            f"Light linking of '{shown.name}' to the {kind} '{collection.name}' is not supported: "
-            "all is lit by it and throws shadows"
-        )
 
 
 def _is_smoke(shown: bpy.types.Object) -> bool:

@@ -10,8 +10,10 @@ from mathutils import Matrix, Vector
 
 from .. import compat, cycles_settings
 from .image import ImageTable
+from .light_links import Links
 from .nodes import EMISSION, export_sockets
 
+_NO_LINKS = Links()
 _KINDS = {"POINT", "SUN", "SPOT", "AREA"}
 
 
@@ -30,6 +32,7 @@ class LightTable:
         world_from_object: Matrix,
         hidden_from: tuple[str, ...],
         light_group: str = "",
+        links: Links = _NO_LINKS,
     ) -> None:
         light = shown.data
         if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
@@ -55,6 +58,7 @@ class LightTable:
                 has_own_space=compat.LIGHTS_HAVE_OWN_SPACE,
                 hidden_from=hidden_from,
                 light_group=light_group,
+                **links._asdict(),
                 **_shape(light),
                 **told,
             )

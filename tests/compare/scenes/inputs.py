@@ -204,6 +204,22 @@ def light_path_length():
     add(dressed(grid_mesh(1, 1, (8, 8)), shows(paint)))
 
 
+@feature(bounces=4)
+def light_path_length_of_clear_things():
+    """Glass where the ray is long and clear where it is short, the way through what was clear
+    counted, too"""
+    tree = new_tree()
+    length = tree.math("MULTIPLY", out(tree.node("LightPath"), "Ray Length"), 0.15)
+    mix = tree.node("MixShader", {"Fac": length})
+    tree.links.new(tree.node("BsdfTransparent").outputs[0], mix.inputs[1])
+    tree.links.new(
+        tree.node("BsdfAnisotropic", {"Color": (0.8, 0.3, 0.2)}).outputs[0], mix.inputs[2]
+    )
+    tree.set(tree.output, "Surface", mix)
+    outdoors()
+    add(dressed(ball_mesh(), tree.datablock), BALL_CENTRE)
+
+
 @feature()
 def layer_weight():
     """Layer Weight: Fresnel in red, facing in green"""

@@ -278,6 +278,42 @@ def without_shadow():
         shown.data.cycles.cast_shadow = False
 
 
+def linked_to(shown: bpy.types.Object, kind: str, linked: bpy.types.Object, state: str) -> None:
+    collection = bpy.data.collections.new(kind)
+    collection.objects.link(linked)
+    collection.collection_objects[0].light_linking.link_state = state
+    setattr(shown.light_linking, kind, collection)
+
+
+@feature(since=(4, 0))
+def linked_receivers():
+    """A red lamp lights the left ball alone, a blue one and a shining square all but it"""
+    camera()
+    floor()
+    world(DIM)
+    balls = [add(dressed(ball_mesh(0.6), diffuse()), (x, 0, 0.6), "Ball") for x in (-0.7, 0.7)]
+    red = lamp("AREA", 120.0, (-2.0, -2.0, 3.0), size=1.0, color=(1.0, 0.4, 0.3))
+    linked_to(red, "receiver_collection", balls[0], "INCLUDE")
+    blue = lamp("POINT", 150.0, (2.0, -2.0, 3.0), shadow_soft_size=0.2, color=(0.4, 0.5, 1.0))
+    linked_to(blue, "receiver_collection", balls[0], "EXCLUDE")
+    square = add(dressed(grid_mesh(1, 1, (0.8, 0.8)), glow((0.4, 1.0, 0.5), 6.0)), (0, 0.6, 1.9))
+    square.rotation_euler = (2.6, 0.0, 0.0)
+    linked_to(square, "receiver_collection", balls[0], "EXCLUDE")
+
+
+@feature(since=(4, 0))
+def linked_blockers():
+    """Of two balls the one throws the shadows of a lamp, the other those of a sun"""
+    camera()
+    floor()
+    world(DIM)
+    balls = [add(dressed(ball_mesh(0.6), diffuse()), (x, 0, 0.6), "Ball") for x in (-0.7, 0.7)]
+    near = lamp("AREA", 120.0, (-2.0, -2.0, 3.0), size=0.6, color=(1.0, 0.7, 0.4))
+    linked_to(near, "blocker_collection", balls[0], "INCLUDE")
+    far = lamp("SUN", 1.5, (2.0, -2.0, 3.0), angle=0.05, color=(0.6, 0.7, 1.0))
+    linked_to(far, "blocker_collection", balls[0], "EXCLUDE")
+
+
 @feature()
 def two_suns():
     """Two suns of different colours"""
