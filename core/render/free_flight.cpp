@@ -49,11 +49,11 @@ float FreeFlight::pdf(float distance) const
     return sum;
 }
 
-float FreeFlight::survival() const
+float FreeFlight::survival(float distance) const
 {
     float sum = 0.0f;
     for (int c = 0; c < 3; ++c) {
-        sum += share_[c] * (extinction_[c] > 0.0f ? std::exp(-extinction_[c] * length_) : 1.0f);
+        sum += share_[c] * (extinction_[c] > 0.0f ? std::exp(-extinction_[c] * distance) : 1.0f);
     }
     return sum;
 }

@@ -17,8 +17,8 @@ public:
     // To the next collision; `length` or more if there is none. Both of u in [0, 1).
     [[nodiscard]] float sample(float u_channel, float u) const;
     [[nodiscard]] float pdf(float distance) const;
-    // The probability that there is none.
-    [[nodiscard]] float survival() const;
+    // The probability that there is none so far.
+    [[nodiscard]] float survival(float distance) const;
 
     // The same, given that there is one: only where what matters is taken from, in each channel.
     [[nodiscard]] float sample_within(float u_channel, float u) const;

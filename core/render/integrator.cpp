@@ -4,10 +4,14 @@
 #include "render/multiple_importance.h"
 #include "render/path_walk.h"
 #include "render/shadow.h"
+#include "render/subsurface.h"
 
 namespace eye_render {
 
 namespace {
+
+// Of a path's random numbers, those of its walk: it has one at most, but straight passages.
+constexpr std::uint64_t below_the_surface = max_straight_passages + 1;
 
 class PathTracer : private PathWalk {
 public:
@@ -83,7 +87,10 @@ public:
             add_direct_light(*hit, shaded.bsdf);
 
             const auto u = sequence_.next();
-            const auto sample = shaded.bsdf.sample(u[2], V2f(u[0], u[1]));
+            auto sample = shaded.bsdf.sample(u[2], V2f(u[0], u[1]));
+            if (sample && sample->subsurface != nullptr) {
+                sample = come_out(*hit, shaded.bsdf, *sample);
+            }
             if (!sample) {
                 break;
             }
@@ -116,6 +123,27 @@ private:
                                    : scene_.background(camera_ray.direction, path_);
         light_.be_caught(throughput_, throughput_ * bare.trace(camera_ray).radiance,
                          throughput_ * behind);
+    }
+
+    // Where light that entered below leaves the object: that is the hit from now on, with the
+    // mixture that scatters it there.
+    std::optional<BsdfSample> come_out(SurfaceHit& hit, Bsdf& bsdf, const BsdfSample& entry)
+    {
+        SampleSequence below = sequence_.branch(below_the_surface);
+        const auto exit =
+            sample_exit(scene_, hit, *entry.subsurface, throughput_ * entry.weight, below);
+        if (!exit) {
+            return std::nullopt;
+        }
+        hit = exit->hit;
+        throughput_ = exit->throughput;
+        bsdf = exit_bsdf(scene_, hit, path_);
+        if (scene_.has_media()) {
+            media_ = scene_.media_at(hit.origin_towards(hit.point.ng), hit.time);
+        }
+        add_direct_light(hit, bsdf);
+        const auto u = sequence_.next();
+        return bsdf.sample(u[2], V2f(u[0], u[1]));
     }
 
     void add_lamps(const Ray& ray, float t_end)

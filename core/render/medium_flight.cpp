@@ -34,7 +34,8 @@ MediumFlight sample_flight(const MediumSegment& segment,
     const auto u = sequence.next();
     const float distance = flight.sample(u[2], u[3]);
     if (!(distance < segment.length)) {
-        return {medium.transmittance(segment.length) / flight.survival(), std::nullopt};
+        return {medium.transmittance(segment.length) / flight.survival(segment.length),
+                std::nullopt};
     }
     const auto v = sequence.next();
     const PhaseSample sample = medium.sample(segment.direction, v[2], V2f(v[0], v[1]));

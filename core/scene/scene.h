@@ -115,8 +115,7 @@ public:
     // True if anything that throws shadows stands in the way, even if light passes through it.
     [[nodiscard]] bool is_blocked(const Ray& ray) const;
 
-    // Calls visit(SurfaceHit) for the surfaces of one object along the ray, in their order, for as
-    // long as it says true. Other objects are passed by.
+    // Calls visit(SurfaceHit) for the surfaces of one object along the ray, while it says true.
     void visit_object(const Ray& ray,
                       const Placement& placement,
                       const std::function<bool(const SurfaceHit&)>& visit) const;

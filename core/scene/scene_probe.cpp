@@ -18,6 +18,7 @@ void Scene::visit_object(const Ray& ray,
                          const std::function<bool(const SurfaceHit&)>& visit) const
 {
     Ray rest = ray;
+    float travelled = 0.0f;
     for (int passages = 0; passages <= max_straight_passages; ++passages) {
         const auto found = accelerator_.intersect(rest);
         if (!found) {
@@ -25,13 +26,31 @@ void Scene::visit_object(const Ray& ray,
         }
         const Placement& met = placements_[found->placement];
         std::optional<Pose> moved;
-        const SurfaceHit hit = make_surface_hit(rest, *found, met, pose_at(met, ray.time, moved),
-                                                accelerator_.positions(found->placement));
+        SurfaceHit hit = make_surface_hit(rest, *found, met, pose_at(met, ray.time, moved),
+                                          accelerator_.positions(found->placement));
+        rest = passed_through(rest, hit);
+        travelled += hit.t;
+        hit.t = travelled;
         if (&met == &placement && !visit(hit)) {
             return;
         }
-        rest = passed_through(rest, hit);
     }
+}
+
+std::optional<SurfaceHit> intersect_object(const Scene& scene,
+                                           const Ray& ray,
+                                           const Placement& object,
+                                           std::optional<std::uint32_t> but)
+{
+    std::optional<SurfaceHit> nearest;
+    scene.visit_object(ray, object, [&nearest, &but](const SurfaceHit& hit) {
+        if (hit.primitive == but) {
+            return true;
+        }
+        nearest = hit;
+        return false;
+    });
+    return nearest;
 }
 
 bool SceneProbe::is_blocked(const V3f& direction, float distance, bool local) const
@@ -43,12 +62,7 @@ bool SceneProbe::is_blocked(const V3f& direction, float distance, bool local) co
     if (!local) {
         return scene_.is_blocked(ray);
     }
-    bool is_met = false;
-    scene_.visit_object(ray, *hit_.placement, [&](const SurfaceHit& /*met*/) {
-        is_met = true;
-        return false;
-    });
-    return is_met;
+    return intersect_object(scene_, ray, *hit_.placement).has_value();
 }
 
 void SceneProbe::cross_own_object(const V3f& start,

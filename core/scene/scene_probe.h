@@ -5,9 +5,17 @@
 #include "scene/surface_hit.h"
 #include "shading/surface_probe.h"
 
+#include <optional>
+
 namespace eye_render {
 
 class Scene;
+
+// The nearest surface of one object, but for a primitive that the ray starts on.
+[[nodiscard]] std::optional<SurfaceHit> intersect_object(const Scene& scene,
+                                                         const Ray& ray,
+                                                         const Placement& object,
+                                                         std::optional<std::uint32_t> but = {});
 
 class SceneProbe final : public SurfaceProbe {
 public:

@@ -91,6 +91,15 @@ struct SurfaceHit {
         return offset_from_surface(p_world + wi * depth, ng.dot(wi) < 0.0f ? -ng : ng, p_error);
     }
 
+    // As the ray would have met it that came the other way.
+    void turn_over()
+    {
+        point.wo = -point.wo;
+        point.ng = -point.ng;
+        point.ns = -point.ns;
+        point.backfacing = !point.backfacing;
+    }
+
     // The number among the scene's emitters, or -1.
     [[nodiscard]] int emitter() const
     {

@@ -1,8 +1,5 @@
 #include "shading/bevel_kernel.h"
 
-#include "shading/frame.h"
-
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -45,41 +42,15 @@ float sample_bevel_distance(float u)
 
 BevelRay sample_bevel_ray(const V3f& ng, float radius, float u_axis, const V2f& u)
 {
-    const Frame frame(ng);
-    BevelRay ray{.start{},
-                 .direction{},
-                 .axes = {frame.n, frame.s, frame.t},
-                 .axis_shares = {0.5f, 0.25f, 0.25f}};
-    if (u_axis >= 0.5f) {
-        const std::size_t first = u_axis < 0.75f ? 1 : 2;
-        std::swap(ray.axes[0], ray.axes[first]);
-        std::swap(ray.axis_shares[0], ray.axis_shares[first]);
-    }
-    const float share = sample_bevel_distance(u.y);
-    const float r = share * radius;
-    const float phi = 2.0f * pi * u.x;
-    const float height = radius * std::sqrt(std::max(0.0f, 1.0f - share * share));
-    ray.start = ray.axes[0] * height + ray.axes[1] * (r * std::cos(phi)) +
-                ray.axes[2] * (r * std::sin(phi));
-    ray.direction = -ray.axes[0];
-    ray.length = 2.0f * height;
-    ray.disk_pdf = bevel_falloff(r, radius);
-    return ray;
+    const float distance = sample_bevel_distance(u.y) * radius;
+    return {make_disk_ray(ng, distance, radius, u_axis, u.x), bevel_falloff(distance, radius)};
 }
 
-float bevel_weight(const BevelRay& ray, float radius, const V3f& ng, float distance)
+float bevel_weight(const BevelRay& bevel, float radius, const V3f& ng, float distance)
 {
-    if (!(ray.disk_pdf > 0.0f)) {
-        return 0.0f;
-    }
-    float squares = 0.0f;
-    std::array<float, 3> densities{};
-    for (std::size_t i = 0; i < 3; ++i) {
-        densities[i] = ray.axis_shares[i] * std::abs(ray.axes[i].dot(ng));
-        squares += densities[i] * densities[i];
-    }
-    return squares > 0.0f ? densities[0] / squares * bevel_falloff(distance, radius) / ray.disk_pdf
-                          : 0.0f;
+    return bevel.disk_pdf > 0.0f
+               ? axis_weight(bevel.ray, ng) * bevel_falloff(distance, radius) / bevel.disk_pdf
+               : 0.0f;
 }
 
 }  // namespace eye_render

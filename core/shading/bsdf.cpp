@@ -55,7 +55,7 @@ void Bsdf::add_part(BsdfParts& parts,
                     const Color3f& value,
                     const Color3f& transmitted)
 {
-    if (lobe.is_diffuse()) {
+    if (lobe.counts_as_diffuse()) {
         parts.diffuse += value;
     } else if (lobe.kind == LobeKind::Refraction) {
         parts.transmission += value;
@@ -131,6 +131,22 @@ BsdfFeatures Bsdf::features() const
     return features;
 }
 
+std::optional<Lobe> Bsdf::exit_lobe() const
+{
+    V3f sum(0.0f);
+    const Lobe* any = nullptr;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count_); ++i) {
+        if (lobes_[i].is_subsurface()) {
+            any = &lobes_[i];
+            sum += any->normal * shares_[i].importance;
+        }
+    }
+    if (any == nullptr) {
+        return std::nullopt;
+    }
+    return diffuse_lobe(Color3f(1.0f), unit_or(sum, any->normal), any->smooth_normal);
+}
+
 BsdfValue Bsdf::evaluate(const V3f& wi) const
 {
     BsdfValue sum;
@@ -178,6 +194,11 @@ std::optional<BsdfSample> Bsdf::sample(float u_lobe, const V2f& u) const
     const Share& share = shares_[i];
     const float u_choice = std::clamp(rest / share.importance, 0.0f, below_one);
 
+    if (lobes_[i].is_subsurface()) {
+        return BsdfSample{.wi = V3f(0.0f),
+                          .weight = lobes_[i].weight * (importance_ / share.importance),
+                          .subsurface = &lobes_[i]};
+    }
     const std::optional<LobeSample> drawn = eye_render::sample(lobes_[i], wo_, u_choice, u);
     if (!drawn || drawn->is_transmitted != (ng_.dot(drawn->wi) < 0.0f)) {
         return std::nullopt;

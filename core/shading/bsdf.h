@@ -29,6 +29,8 @@ struct BsdfSample {
     // Of the lobe drawn: product of its alphas, which of a rough glass is its roughness to the
     // fourth; 0 for a delta lobe, 1 for a wide one.
     float alpha_squared = 0.0f;
+    // Of the mixture sampled: light enters by this lobe, and there is no wi.
+    const Lobe* subsurface = nullptr;
 };
 
 // Something of a mixture by kinds of lobes: what passes straight through is in none of them.
@@ -98,6 +100,8 @@ public:
     // Unit, towards the viewer; `otherwise` where nothing but straight passages has lobes.
     [[nodiscard]] V3f mean_normal(const V3f& otherwise) const;
     [[nodiscard]] BsdfFeatures features() const;
+    // Lambert's, of the light that subsurface lobes let out here; nothing without such lobes.
+    [[nodiscard]] std::optional<Lobe> exit_lobe() const;
 
     // True if next-event estimation has nothing to find: `evaluate` is zero everywhere.
     [[nodiscard]] bool is_delta_only() const { return !has_finite_lobe_; }

@@ -19,6 +19,11 @@ struct BsdfValue {
 
 enum class LobeKind : std::uint8_t {
     Straight,  // passes light as if there were no surface
+    // Let light in that leaves elsewhere (subsurface.h): nothing to evaluate, and not sampled
+    // here.
+    RandomWalk,      // through a medium, from a refracting boundary
+    RandomWalkSkin,  // the same from a boundary half Lambert, half refracting
+    Burley,          // by Christensen and Burley's profile
     // Wide lobes (diffuse_lobe.h).
     Diffuse,      // Lambert
     OrenNayar,    // rough Lambert
@@ -55,12 +60,12 @@ struct Lobe {
     V3f tangent;
     float alpha_x;  // microfacets: along the tangent; below smallest_rough_alpha a delta
     float alpha_y;  // and across it
-    float ior;      // dielectrics, fibres: of the far side over the near side
+    float ior;      // dielectrics, fibres, subsurface: of the far side over the near side
     // Metal, tinted dielectrics: colour at normal incidence. Conductor: index.
-    // Fibre: what it absorbs along its radius.
+    // Fibre: what it absorbs along its radius. Subsurface: the colour that comes out.
     Color3f f0;
     // Metal: factor of cos (1 - cos)^6. Conductor: extinction. Fibre: variances along it of what
-    // it reflects, transmits, and reflects inside.
+    // it reflects, transmits, and reflects inside. Subsurface: radius.
     Color3f edge;
     // Glasses, Refraction: weight of what passes; `weight` is of what is reflected.
     // OrenNayar: weight of what is scattered more than once.
@@ -69,19 +74,30 @@ struct Lobe {
     float film_ior;           // over the near side's
     // OrenNayar: constant and slope of the model. Sheen: the transform's. Toons: half angle of the
     // cone and the width of its soft edge, rad. Velvet: a is 1 / sigma^2. Fibre: scale of the
-    // logistic distribution around it and tilt of its scales, rad.
+    // logistic distribution around it and tilt of its scales, rad. Subsurface: a is the
+    // anisotropy.
     float a;
     float b;
 
+    // True of lobes that have no value in a direction.
     [[nodiscard]] bool is_delta() const
     {
         return kind >= LobeKind::AshikhminShirley ? is_delta_of_facets()
-                                                  : kind == LobeKind::Straight;
+                                                  : kind <= LobeKind::Burley;
+    }
+    [[nodiscard]] bool is_subsurface() const
+    {
+        return kind >= LobeKind::RandomWalk && kind <= LobeKind::Burley;
     }
     // What is not is glossy or straight.
     [[nodiscard]] bool is_diffuse() const
     {
         return kind >= LobeKind::Diffuse && kind <= LobeKind::DiffuseToon;
+    }
+    // What it scatters is in the diffuse passes.
+    [[nodiscard]] bool counts_as_diffuse() const
+    {
+        return kind >= LobeKind::RandomWalk && kind <= LobeKind::DiffuseToon;
     }
     [[nodiscard]] bool has_facets() const { return kind >= LobeKind::AshikhminShirley; }
     // Light may come from the far side.
@@ -174,7 +190,7 @@ struct LobeSample {
 };
 
 // Nothing if no light comes from what was drawn. `u_choice` decides between reflection and
-// transmission.
+// transmission. Not for subsurface lobes.
 [[nodiscard]] std::optional<LobeSample> sample(const Lobe& lobe,
                                                const V3f& wo,
                                                float u_choice,

@@ -172,7 +172,8 @@ using ConstantInputs = std::span<const std::optional<NodeValue>>;
 struct ClosureFacts {
     bool may_be_transparent = false;  // light may pass straight through at some hit
     bool may_emit = false;
-    int lobes = 0;  // added to the mixture at most
+    int lobes = 0;                                   // added to the mixture at most
+    std::optional<std::size_t> subsurface_normal{};  // the input around which light comes out
 };
 
 struct ShadedPoint {

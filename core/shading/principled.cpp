@@ -8,6 +8,7 @@
 #include "shading/ggx_surface.h"
 #include "shading/input_range.h"
 #include "shading/node.h"
+#include "shading/subsurface.h"
 #include "shading/thin_film.h"
 #include "shading/visible_normal.h"
 
@@ -139,6 +140,29 @@ void add_diffuse(Bsdf& bsdf,
     }
 }
 
+// Lets light below the surface; returns what it leaves above.
+[[nodiscard]] float add_subsurface_layer(Bsdf& bsdf,
+                                         const PrincipledInputs& inputs,
+                                         float polish_ior,
+                                         const Color3f& weight,
+                                         const V3f& normal,
+                                         const ShadingPoint& point)
+{
+    const float share = unit_range(inputs.subsurface_weight);
+    const Color3f color = unit_range(inputs.base_color);
+    const float roughness = unit_range(inputs.roughness);
+    const bool is_skin = inputs.subsurface_method == LobeKind::RandomWalkSkin;
+    add_subsurface(bsdf,
+                   {.method = inputs.subsurface_method,
+                    .color = color,
+                    .radius = Color3f(inputs.subsurface_radius) * inputs.subsurface_scale,
+                    .alpha = roughness * roughness,
+                    .ior = is_skin ? inputs.subsurface_ior : polish_ior,
+                    .anisotropy = inputs.subsurface_anisotropy},
+                   color * weight * share, normal, point, inputs.after_diffuse);
+    return 1.0f - share;
+}
+
 }  // namespace
 
 void add_principled(Bsdf& bsdf,
@@ -196,6 +220,9 @@ void add_principled(Bsdf& bsdf,
                                                  .specular_tint = specular_tint,
                                                  .film_thickness_nm = film_thickness_nm,
                                                  .film_ior = film_ior}));
+        }
+        if (inputs.subsurface_weight > 0.0f) {
+            weight *= add_subsurface_layer(bsdf, inputs, polish_ior, weight, normal, point);
         }
         add_diffuse(bsdf, inputs, base_color, weight, normal, point);
     }

@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "base/vector.h"
+#include "shading/lobe.h"
 
 namespace eye_render {
 
@@ -22,7 +22,7 @@ struct PrincipledInputs {
     float subsurface_weight = 0.0f;
     V3f subsurface_radius{1.0f, 0.2f, 0.1f};  // by colour, times the scale: world units
     float subsurface_scale = 0.05f;
-    float subsurface_ior = 1.4f;
+    float subsurface_ior = 1.4f;  // of skin; otherwise the surface's own
     float subsurface_anisotropy = 0.0f;
     float specular_ior_level = 0.5f;  // 0.5 leaves the reflectance that `ior` gives
     Color3f specular_tint{1.0f};
@@ -44,9 +44,11 @@ struct PrincipledInputs {
     float thin_film_ior = 1.33f;
     // Compensate the energy that single scattering loses (distribution MULTI_GGX).
     bool multiple_scattering = true;
+    LobeKind subsurface_method = LobeKind::RandomWalk;
     // As PathState has them.
     bool shows_reflections = true;
     bool shows_refractions = true;
+    bool after_diffuse = false;
 };
 
 // Adds its lobes, `weight` times, to a mixture seen along point.wo.

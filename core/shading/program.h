@@ -94,6 +94,8 @@ public:
     // True if light may pass straight through some point of the surface.
     [[nodiscard]] bool may_be_transparent() const { return may_be_transparent_; }
     [[nodiscard]] bool may_emit() const { return may_emit_; }
+    // False if light comes out from below the surface around the smooth normal everywhere.
+    [[nodiscard]] bool bends_subsurface() const { return bends_subsurface_ || has_displacement_; }
     // What `emission` gives everywhere, if it is one thing.
     [[nodiscard]] std::optional<Color3f> constant_emission() const;
 
@@ -117,6 +119,7 @@ private:
     int value_count_ = 0;
     bool may_be_transparent_ = false;
     bool may_emit_ = false;
+    bool bends_subsurface_ = false;
 };
 
 // One evaluation of a program: remembers what was computed. On the stack; as large as a usual

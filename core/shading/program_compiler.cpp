@@ -25,6 +25,10 @@ public:
             lobes += leaf.facts.lobes;
             program_.may_be_transparent_ |= leaf.facts.may_be_transparent;
             program_.may_emit_ |= leaf.facts.may_emit;
+            if (const auto normal = leaf.facts.subsurface_normal) {
+                program_.bends_subsurface_ |=
+                    leaf.step.inputs[*normal].implicit != ImplicitInput::Normal;
+            }
         }
         if (lobes > Bsdf::capacity) {
             throw std::invalid_argument("a mix of shaders has " + std::to_string(lobes) +

@@ -26,6 +26,10 @@ FORMER_SOCKETS = {
     "Emission Color": "Emission",
 }
 
+# Methods of subsurface scattering, under their former names and under those of Blender 4.
+WALK = ("RANDOM_WALK_FIXED_RADIUS", "RANDOM_WALK")
+SKIN = ("RANDOM_WALK_SKIN", "RANDOM_WALK")
+
 
 class Tree:
     """The nodes of a material, world or light, emptied when wrapped."""
@@ -48,7 +52,7 @@ class Tree:
         except RuntimeError:
             node = self.nodes.new(f"ShaderNode{FORMER_NODES[kind]}")
         for name, value in (STARTING_PROPERTIES.get(kind, {}) | properties).items():
-            _set_property(node, name, value)
+            set_property(node, name, value)
         for identifier, value in (STARTING_INPUTS.get(kind, {}) | (inputs or {})).items():
             self.set(node, identifier, value)
         return node
@@ -97,7 +101,7 @@ def socket_of(sockets, identifier: str) -> bpy.types.NodeSocket:
     raise KeyError(f"no socket {identifier!r}; there are {known}")
 
 
-def _set_property(node: bpy.types.Node, name: str, value) -> None:
+def set_property(node: bpy.types.Node, name: str, value) -> None:
     if isinstance(value, tuple) and isinstance(value[0], str):
         choices = node.bl_rna.properties[name].enum_items.keys()
         value = next(choice for choice in value if choice in choices)

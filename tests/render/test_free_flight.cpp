@@ -49,7 +49,7 @@ TEST(FreeFlight, collides_as_its_density_says_or_survives)
 {
     const FreeFlight flight(extinction, importance, 2.0f);
     expect_spread(
-        2.0f, 1.0 - double(flight.survival()),
+        2.0f, 1.0 - double(flight.survival(2.0f)),
         [&](float u, float v) { return flight.sample(u, v); },
         [&](float t) { return flight.pdf(t); });
 }
@@ -69,7 +69,7 @@ TEST(FreeFlight, never_collides_in_a_channel_without_a_medium)
     const FreeFlight flight(Color3f(0.0f, 1.0f, 1.0f), Color3f(1.0f), infinity);
     EXPECT_EQ(flight.sample(0.1f, 0.0f), infinity);
     EXPECT_LT(flight.sample(0.9f, 0.99f), 10.0f);
-    EXPECT_FLOAT_EQ(flight.survival(), 1.0f / 3.0f);
+    EXPECT_FLOAT_EQ(flight.survival(infinity), 1.0f / 3.0f);
 }
 
 // What its one-sample combination is for: no channel's weight exceeds one over its share.
@@ -79,7 +79,7 @@ TEST(FreeFlight, weights_stay_bounded_whatever_the_colors)
     for (const float t : {1e-3f, 0.1f, 2.9f}) {
         for (const float e : {0.01f, 1.0f, 100.0f}) {
             EXPECT_LE(e * std::exp(-e * t) / flight.pdf(t), 3.001f);
-            EXPECT_LE(std::exp(-e * 3.0f) / flight.survival(), 3.001f);
+            EXPECT_LE(std::exp(-e * 3.0f) / flight.survival(3.0f), 3.001f);
         }
     }
 }

@@ -50,6 +50,9 @@ template <typename Node>
     return value && !(std::max({value->x, value->y, value->z}) > 0.0f);
 }
 
+// The method that an option names, by Blender's names.
+[[nodiscard]] LobeKind subsurface_method(const NodeOptions& options, const std::string& name);
+
 [[nodiscard]] NodeType principled_node();
 [[nodiscard]] NodeType diffuse_node();
 [[nodiscard]] NodeType translucent_node();

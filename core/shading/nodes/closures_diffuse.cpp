@@ -112,22 +112,6 @@ private:
     bool is_velvet_;
 };
 
-// Light that enters leaves where it came in: only the colour of what scatters below is kept.
-class SubsurfaceNode : public OneLobeNode {
-public:
-    enum Input : std::size_t { Color, Scale, Radius, Ior, Roughness, Anisotropy, Normal };
-
-    explicit SubsurfaceNode(const NodeOptions& /*options*/) {}
-
-    void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
-    {
-        const ShadingPoint& point = in.hit().point;
-        const Color3f color = unit_range(in.color(Color)) * weight;
-        shaded.bsdf.add(diffuse_lobe(color, unit_normal(in.vector(Normal), point.ns), point.ns),
-                        color);
-    }
-};
-
 }  // namespace
 
 NodeType diffuse_node()
@@ -159,21 +143,6 @@ NodeType sheen_node()
         {color_input("Color", 0.8f), number_input("Roughness", 0.5f), normal_input("Normal")});
     static constexpr auto options = std::to_array<std::string_view>({"distribution"});
     return closure_type<SheenNode>("BSDF_SHEEN", inputs, bsdf_output, options);
-}
-
-NodeType subsurface_node()
-{
-    static constexpr auto inputs =
-        std::to_array<InputSocket>({color_input("Color", 0.8f),
-                                    number_input("Scale", 0.05f),
-                                    {"Radius", SocketType::Vector, NodeValue(1.0f, 0.2f, 0.1f)},
-                                    number_input("IOR", 1.4f),
-                                    number_input("Roughness", 1.0f),
-                                    number_input("Anisotropy", 0.0f),
-                                    normal_input("Normal")});
-    static constexpr auto outputs = std::to_array<OutputSocket>({{"BSSRDF", SocketType::Shader}});
-    static constexpr auto options = std::to_array<std::string_view>({"falloff"});
-    return closure_type<SubsurfaceNode>("SUBSURFACE_SCATTERING", inputs, outputs, options);
 }
 
 }  // namespace eye_render

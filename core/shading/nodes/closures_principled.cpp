@@ -3,6 +3,7 @@
 #include "shading/input_range.h"
 #include "shading/nodes/closure_nodes.h"
 #include "shading/principled.h"
+#include "shading/subsurface.h"
 
 namespace eye_render {
 
@@ -56,7 +57,8 @@ class PrincipledNode : public ClosureNode {
 public:
     explicit PrincipledNode(const NodeOptions& options)
         : multiple_scattering_(
-              options.choice<bool>("distribution", {{"MULTI_GGX", true}, {"GGX", false}}))
+              options.choice<bool>("distribution", {{"MULTI_GGX", true}, {"GGX", false}})),
+          subsurface_method_(subsurface_method(options, "subsurface_method"))
     {
     }
 
@@ -71,7 +73,10 @@ public:
                 .may_emit = may_have(EmissionColor) * may_have(EmissionStrength) == 1,
                 .lobes = specular_and_diffuse + (is_opaque ? 0 : 1) + may_have(Metallic) +
                          may_have(TransmissionWeight) + may_have(CoatWeight) +
-                         may_have(SheenWeight)};
+                         may_have(SheenWeight) + subsurface_lobes * may_have(SubsurfaceWeight),
+                .subsurface_normal = may_have(SubsurfaceWeight) == 1
+                                         ? std::optional<std::size_t>(Normal)
+                                         : std::nullopt};
     }
 
     void shade(const NodeInputs& in, float weight, ShadedPoint& shaded) const override
@@ -137,15 +142,24 @@ private:
             .alpha = in.number(Alpha),
             .normal = in.vector(Normal),
             .diffuse_roughness = in.number(DiffuseRoughness),
+            .subsurface_weight = in.number(SubsurfaceWeight),
             .specular_ior_level = in.number(SpecularIorLevel),
             .specular_tint = in.color(SpecularTint),
             .anisotropic = in.number(Anisotropic),
             .transmission_weight = in.number(TransmissionWeight),
             .thin_film_thickness_nm = in.number(ThinFilmThickness),
             .multiple_scattering = multiple_scattering_,
+            .subsurface_method = subsurface_method_,
             .shows_reflections = in.hit().path.shows_reflections,
             .shows_refractions = in.hit().path.shows_refractions,
         };
+        if (values.subsurface_weight > 0.0f) {
+            values.subsurface_radius = in.vector(SubsurfaceRadius);
+            values.subsurface_scale = in.number(SubsurfaceScale);
+            values.subsurface_ior = in.number(SubsurfaceIor);
+            values.subsurface_anisotropy = in.number(SubsurfaceAnisotropy);
+            values.after_diffuse = in.hit().path.diffuse_depth > 0;
+        }
         if (values.anisotropic > 0.0f) {
             values.anisotropic_rotation = in.number(AnisotropicRotation);
             values.tangent = tangent_input_value(in, Tangent);
@@ -159,6 +173,7 @@ private:
     }
 
     bool multiple_scattering_;
+    LobeKind subsurface_method_;
 };
 
 constexpr auto options = std::to_array<std::string_view>({"distribution", "subsurface_method"});

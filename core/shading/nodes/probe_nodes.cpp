@@ -104,10 +104,11 @@ private:
         V3f sum(0.0f);
         for (int i = 0; i < samples_; ++i) {
             const auto u = sobol_4d(probe.seed(), static_cast<std::uint32_t>(i), BevelGroup);
-            const BevelRay ray = sample_bevel_ray(point.ng, radius, u[0], {u[1], u[2]});
+            const BevelRay bevel = sample_bevel_ray(point.ng, radius, u[0], {u[1], u[2]});
+            const DiskRay& ray = bevel.ray;
             const auto visit = [&](const SurfaceProbe::Crossing& crossing) {
                 sum += crossing.ns *
-                       bevel_weight(ray, radius, crossing.ng, crossing.from_hit.length());
+                       bevel_weight(bevel, radius, crossing.ng, crossing.from_hit.length());
             };
             // By reference: what it captures is more than std::function holds without the heap.
             probe.cross_own_object(ray.start, ray.direction, ray.length, std::ref(visit));

@@ -2,7 +2,7 @@
 
 from features import feature
 from stage import ball, ball_of, new_tree
-from tree import out
+from tree import WALK, out, set_property
 
 PAINT = (0.6, 0.25, 0.1)
 GOLD = (0.9, 0.65, 0.3)
@@ -151,10 +151,10 @@ def alpha():
     principled(Alpha=0.4)
 
 
-@feature(bounces=4, samples=512, before_4=LAYERS)
+@feature(bounces=4, samples=512)
 def subsurface():
     """Random walk, a third of the radius deep"""
-    _subsurface("RANDOM_WALK")
+    _subsurface(WALK)
 
 
 @feature(bounces=4, samples=512)
@@ -163,10 +163,10 @@ def subsurface_burley():
     _subsurface("BURLEY")
 
 
-def _subsurface(method: str) -> None:
+def _subsurface(method: str | tuple[str, ...]) -> None:
     tree = new_tree()
     node = tree.surface("BsdfPrincipled", {"Base Color": (0.8, 0.5, 0.4), "Roughness": 0.5})
-    node.subsurface_method = method
+    set_property(node, "subsurface_method", method)
     tree.set(node, "Subsurface Weight", 1.0)
     if "Subsurface Color" in node.inputs:  # before Blender 4.0, with the scale in the radius
         tree.set(node, "Subsurface Color", (0.8, 0.5, 0.4))

@@ -3,7 +3,7 @@
 import bpy
 from features import feature
 from stage import ball, ball_of, diffuse, new_tree, world
-from tree import Tree, out
+from tree import WALK, Tree, out
 
 RED = (0.8, 0.2, 0.1)
 BLUE = (0.1, 0.3, 0.8)
@@ -211,7 +211,7 @@ def _two_shaders(join) -> None:
 @feature(bounces=4, samples=512)
 def subsurface():
     """Subsurface scattering, random walk"""
-    _subsurface("RANDOM_WALK")
+    _subsurface(WALK)
 
 
 @feature(bounces=4, samples=512)
@@ -220,7 +220,7 @@ def subsurface_burley():
     _subsurface("BURLEY")
 
 
-def _subsurface(falloff: str) -> None:
+def _subsurface(falloff: str | tuple[str, ...]) -> None:
     inputs = {"Color": (0.7, 0.8, 0.5), "Scale": 0.3, "Radius": (1.0, 0.6, 0.3)}
     ball_of("SubsurfaceScattering", inputs, falloff=falloff)
 
