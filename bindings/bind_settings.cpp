@@ -182,6 +182,12 @@ void bind_render_settings(py::module_& m)
         .def_readwrite("exposure", &Settings::exposure, "A factor of all light in the picture.")
         .def_readwrite("filter_width_px", &Settings::filter_width_px)
         .def_readwrite("chromatic", &Settings::chromatic, "Each path at a wavelength of its own.")
+        .def_readwrite("motion_blur", &Settings::motion_blur,
+                       "Without it what moves is seen half way, and the Vector pass tells how it\n"
+                       "moves.")
+        .def_readwrite("shutter_curve", &Settings::shutter_curve,
+                       "How far the shutter is open at equally spaced times; empty: it opens and\n"
+                       "closes at once.")
         .def_property(
             "stiles_crawford",
             [](const Settings& s) { return std::string(to_string(s.stiles_crawford)); },

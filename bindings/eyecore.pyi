@@ -360,6 +360,7 @@ class Scene:
         light_group: str = "",
         lit_classes: int = ...,
         blocker_set: int = 0,
+        motion: Sequence[Mapping[str, object]] = ...,
         radius: float = 0.0,
         soft_falloff: bool = True,
         angle_rad: float = 0.0,
@@ -489,6 +490,8 @@ class Settings:
         occlusion_distance: float = 10.0,
         pass_alpha_threshold: float = 0.5,
         aovs: Mapping[str, str] = ...,
+        motion_blur: bool = True,
+        shutter_curve: Sequence[float] = ...,
     ) -> None: ...
     samples: int
     max_bounces: int
@@ -511,6 +514,8 @@ class Settings:
     occlusion_distance: float
     pass_alpha_threshold: float
     aovs: Mapping[str, str]
+    motion_blur: bool
+    shutter_curve: Sequence[float]
 
 class Session:
     def __init__(self, scene: Scene, observer: Observer, settings: Settings) -> None: ...

@@ -204,6 +204,9 @@ def corner_normals(mesh: bpy.types.Mesh) -> np.ndarray:
     return normals
 
 
+# Whether Cycles has a pass of the lamps' shadows; later versions have the switch for EEVEE alone.
+HAS_SHADOW_PASS = bpy.app.version < (4, 0, 0)
+
 # Names of passes before Blender 5.0.
 _SHORT_PASS_NAMES = {
     "Diffuse Direct": "DiffDir",
@@ -228,22 +231,3 @@ _SHORT_PASS_NAMES = {
 def pass_name(name: str) -> str:
     """What this Blender calls the pass, so that nodes of the compositor find it."""
     return _SHORT_PASS_NAMES.get(name, name) if bpy.app.version < (5, 0, 0) else name
-
-
-def tangents(mesh: bpy.types.Mesh, uv_layer: str) -> np.ndarray | None:
-    """Smoothed by MikkTSpace (corners, 4): a unit vector, and the sign of the bitangent; "" is the
-    active layer. None of a mesh without the layer, and of one with faces of more than four sides,
-    which Blender does not work them out for."""
-    layers = mesh.uv_layers
-    name = uv_layer or next((layer.name for layer in layers if layer.active_render), "")
-    sides = np.empty(len(mesh.polygons), np.int32)
-    mesh.polygons.foreach_get("loop_total", sides)
-    if name not in layers or sides.max() > 4:
-        return None
-    mesh.calc_tangents(uvmap=name)
-    tangents = np.empty((len(mesh.loops), 3), np.float32)
-    signs = np.empty((len(mesh.loops), 1), np.float32)
-    mesh.loops.foreach_get("tangent", tangents.ravel())
-    mesh.loops.foreach_get("bitangent_sign", signs.ravel())
-    mesh.free_tangents()
-    return np.hstack((tangents, signs))

@@ -10,7 +10,6 @@ import numpy as np
 from . import batch, contradictions, cryptomatte, export, found, passes, reporting
 from .core import EyeRenderError
 from .export.camera import (
-    CameraPose,
     Frame,
     check_camera,
     focus_distance_m,
@@ -88,9 +87,8 @@ def render(engine: bpy.types.RenderEngine, depsgraph: bpy.types.Depsgraph) -> No
         engine.update_stats("", "Exporting the scene")
         core_scene, motion = _export(engine, depsgraph, warn, check_cancel)
         for number, view_name in enumerate(views, len(views) * layers.index(view_layer.name)):
-            camera_poses = motion.camera_poses(view_name) if motion else []
             share = _Share(number, len(views) * len(layers))
-            _render_view(engine, depsgraph, core_scene, camera_poses, view_name, share, warn)
+            _render_view(engine, depsgraph, core_scene, motion, view_name, share, warn)
     except _Cancelled:
         return
 
@@ -129,7 +127,7 @@ def _render_view(
     engine: bpy.types.RenderEngine,
     depsgraph: bpy.types.Depsgraph,
     core_scene,
-    camera_poses: list[CameraPose],
+    motion: Motion | None,
     view_name: str,
     share: _Share,
     warn: Callable[[str], None],
@@ -138,6 +136,7 @@ def _render_view(
     camera = _camera_of(engine, depsgraph, view_name)
     overrides = batch.overrides
     frame = frame_of(scene.render)
+    camera_poses = motion.camera_poses(view_name) if motion else []
     set_camera(core_scene, engine, depsgraph, camera, frame, camera_poses)
 
     settings = camera.data.eye_render
@@ -166,7 +165,8 @@ def _render_view(
             look.centre_m,
         )
     )
-    core_settings = make_settings(scene, depsgraph.view_layer_eval, overrides)
+    shutter = motion.shutter if motion else None
+    core_settings = make_settings(scene, depsgraph.view_layer_eval, overrides, shutter)
 
     engine.update_stats("", "Preparing the render")
     with RenderSession(core_scene, observer, core_settings) as session:

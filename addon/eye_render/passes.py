@@ -7,8 +7,6 @@ import numpy as np
 
 from . import batch, compat, core, cycles_settings
 
-_VALUE_KIND = {1: "VALUE", 3: "VECTOR", 4: "COLOR"}
-
 # The property that switches each pass: Blender's, of the view layer; or Cycles', of
 # `view_layer.cycles`; or that of `view_layer.eye_render` where neither has one.
 _DATA_SWITCHES = {
@@ -16,6 +14,7 @@ _DATA_SWITCHES = {
     "Mist": "use_pass_mist",
     "Position": "use_pass_position",
     "Normal": "use_pass_normal",
+    "Vector": "use_pass_vector",
     "UV": "use_pass_uv",
     "Object Index": "use_pass_object_index",
     "Material Index": "use_pass_material_index",
@@ -39,6 +38,7 @@ _LIGHT_SWITCHES = {
     "Emission": "use_pass_emit",
     "Environment": "use_pass_environment",
     "Ambient Occlusion": "use_pass_ambient_occlusion",
+    "Shadow": "use_pass_shadow",
     "Shadow Catcher": "use_pass_shadow_catcher",
 }
 SWITCHES = _DATA_SWITCHES | _LIGHT_SWITCHES
@@ -64,8 +64,9 @@ class Row(NamedTuple):
 
     @property
     def kind(self) -> str:
-        is_color = self.channel_ids.upper() in {"RGB", "RGBA"}
-        return "COLOR" if is_color else _VALUE_KIND[self.channels]
+        if self.channel_ids.upper() in {"RGB", "RGBA"}:
+            return "COLOR"
+        return "VALUE" if self.channels == 1 else "VECTOR"
 
 
 def switches(
@@ -78,7 +79,10 @@ def switches(
 
 
 def _holder(view_layer: bpy.types.ViewLayer, switch: str) -> bpy.types.bpy_struct | None:
-    """None for a switch of Cycles where Cycles is not enabled."""
+    """None for a switch of Cycles where Cycles is not enabled, and for one that this Blender has
+    for others alone."""
+    if switch == SWITCHES["Shadow"] and not compat.HAS_SHADOW_PASS:
+        return None
     holders = (view_layer, view_layer.eye_render, cycles_settings.of(view_layer))
     return next((holder for holder in holders if hasattr(holder, switch)), None)
 
@@ -90,6 +94,15 @@ def _is_on(view_layer: bpy.types.ViewLayer, switch: str) -> bool:
 def cryptomatte_kinds(view_layer: bpy.types.ViewLayer) -> list[str]:
     """The names of Cryptomattes that the view layer asks for, without their numbers."""
     return [name for name, switch in _CRYPTOMATTE_SWITCHES.items() if _is_on(view_layer, switch)]
+
+
+def blurs_motion(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bool:
+    return scene.render.use_motion_blur and view_layer.use_motion_blur
+
+
+def needs_motion(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> bool:
+    """Whether the Vector pass is to be filled; as in Cycles, not of a picture that is blurred."""
+    return _is_on(view_layer, SWITCHES["Vector"]) and not blurs_motion(scene, view_layer)
 
 
 def needs_uvs(view_layer: bpy.types.ViewLayer) -> bool:
@@ -130,8 +143,9 @@ def enabled(view_layer: bpy.types.ViewLayer) -> list[Row]:
 def settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer) -> dict[str, object]:
     """What the core's settings say about passes."""
     values = aovs(view_layer)
+    left_out = {*values, *([] if needs_motion(scene, view_layer) else ["Vector"])}
     result = {
-        "passes": [row.name for row in enabled(view_layer) if row.name not in values],
+        "passes": [row.name for row in enabled(view_layer) if row.name not in left_out],
         "aovs": values,
         "pass_alpha_threshold": view_layer.pass_alpha_threshold,
     }

@@ -8,6 +8,7 @@ import numpy as np
 from . import choices, core, cycles_settings, passes
 from .batch import Overrides, ruled
 from .core import EyeRenderError
+from .export.motion import Shutter
 
 
 class Progress(NamedTuple):
@@ -16,8 +17,13 @@ class Progress(NamedTuple):
     fraction: float  # 0 to 1
 
 
-def make_settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer, overrides: Overrides):
-    """The core's settings."""
+def make_settings(
+    scene: bpy.types.Scene,
+    view_layer: bpy.types.ViewLayer,
+    overrides: Overrides,
+    shutter: Shutter | None = None,
+):
+    """The core's settings; `shutter` of a picture in which things move."""
     settings = scene.eye_render
     quality = ruled(overrides.quality, settings.quality)
     of_quality = choices.QUALITY_SAMPLES.get(quality, settings.samples)
@@ -34,6 +40,7 @@ def make_settings(scene: bpy.types.Scene, view_layer: bpy.types.ViewLayer, overr
             **cycles_settings.film(scene),
             **effects(settings, overrides),
             **passes.settings(scene, view_layer),
+            **(shutter.settings() if shutter else {}),
         )
 
 

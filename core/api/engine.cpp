@@ -59,7 +59,11 @@ Engine::Engine(std::shared_ptr<const SceneBuilder> scene,
     const bool weighs_pupil = settings.stiles_crawford != StilesCrawfordMode::Off;
     const std::vector<CameraFrame>& camera_motion = scene_data_->camera_motion();
     plan_lens(plan_, data, frame, *eye_.model, settings.chromatic, weighs_pupil, camera_motion);
-    job.moves = plan_.moves();
+    plan_.motion_blur = settings.motion_blur;
+    job.moves = plan_.motion_blur && plan_.moves();
+    if (!settings.shutter_curve.empty()) {
+        job.shutter.emplace(settings.shutter_curve);
+    }
     if (plan_.moving_camera) {
         job.camera_motion.emplace(camera_motion);
     }

@@ -32,6 +32,9 @@ struct RenderSettings {
     double filter_width_px = 1.5;
     bool chromatic = false;  // each path at a wavelength of its own
     StilesCrawfordMode stiles_crawford = StilesCrawfordMode::Off;
+    // Without, what moves is seen half way, and only the Vector pass tells of its motion.
+    bool motion_blur = true;
+    std::vector<double> shutter_curve{};  // as Shutter has it; empty: opens and closes at once
 };
 
 // Throws std::invalid_argument for a number out of range.

@@ -1,27 +1,16 @@
 #include "api/scene_builder.h"
 
+#include "api/scene_checks.h"
 #include "api/scene_resources.h"
 #include "base/error.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <stdexcept>
 
 namespace eye_render {
 
 namespace {
-
-void require_finite(const std::string& what, const M44d& matrix)
-{
-    for (int i = 0; i < 4; ++i) {
-        for (int j = 0; j < 4; ++j) {
-            if (!std::isfinite(matrix[i][j])) {
-                throw std::invalid_argument(what + " has an entry that is not finite");
-            }
-        }
-    }
-}
 
 std::string said_name(const Geometry& geometry)
 {
@@ -98,10 +87,7 @@ void SceneBuilder::add_instance(InstanceData instance)
     require_index("geometry", instance.geometry, data_.geometries.size());
     const std::string name = said_name(data_.geometries[instance.geometry]);
     require_finite("world_from_object of " + name, instance.world_from_object);
-    if (instance.motion.size() == 1) {
-        throw std::invalid_argument("motion of " + name +
-                                    " has 1 step; expected none or at least 2");
-    }
+    require_steps("motion of " + name, instance.motion.size());
     for (const M44d& place : instance.motion) {
         require_finite("motion of " + name, place);
     }
@@ -125,18 +111,24 @@ void SceneBuilder::add_lamp(LampData lamp,
                             const std::optional<NodeOutput>& surface)
 {
     require_unleased();
-    require_finite("world_from_light of lamp '" + lamp.name + "'", lamp.world_from_light);
     if (surface) {
         SceneResources resources(data_);
         Material nodes = make_material(lamp.name, graph, {.surface = surface}, resources);
         if (const auto constant = nodes.surface.constant_emission()) {
             lamp.settings.color *= *constant;
+            for (LampPose& pose : lamp.motion) {
+                pose.settings.color *= *constant;
+            }
         } else {
             lamp.nodes = std::move(nodes);
         }
     }
     try {
-        static_cast<void>(make_lamp(lamp.settings));  // for its checks
+        require_valid({lamp.settings, lamp.world_from_light});
+        require_steps("the motion", lamp.motion.size());
+        for (const LampPose& pose : lamp.motion) {
+            require_valid(pose);
+        }
     } catch (const std::invalid_argument& error) {
         throw std::invalid_argument("lamp '" + lamp.name + "': " + error.what());
     }
@@ -184,9 +176,7 @@ void SceneBuilder::set_camera(const CameraFrame& frame, std::vector<CameraFrame>
 {
     require_unleased();
     validate(frame);
-    if (motion.size() == 1) {
-        throw std::invalid_argument("the camera's motion has 1 step; expected none or at least 2");
-    }
+    require_steps("the camera's motion", motion.size());
     for (const CameraFrame& pose : motion) {
         validate(pose);
     }

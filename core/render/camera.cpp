@@ -94,6 +94,38 @@ CameraRay camera_ray(const CameraFrame& frame,
     return result;
 }
 
+std::optional<V2d> raster_of(const CameraFrame& frame, const EyeModel& eye, const V3d& p_world)
+{
+    const Imath::M33d world_from_camera(frame.axis_x.x, frame.axis_x.y, frame.axis_x.z,  //
+                                        frame.axis_y.x, frame.axis_y.y, frame.axis_y.z,  //
+                                        frame.axis_z.x, frame.axis_z.y, frame.axis_z.z);
+    const V3d p_eye_m =
+        (p_world - frame.position_world) * world_from_camera.inverse() * frame.metres_per_unit;
+    if (!(p_eye_m.z < 0.0)) {
+        return std::nullopt;
+    }
+    // An eye bends rays by little: where its ray passes the point says by how much to aim anew.
+    constexpr int most_aims = 16;
+    constexpr double aimed_px = 1e-4;
+    V2d slope(p_eye_m.x / -p_eye_m.z, p_eye_m.y / -p_eye_m.z);
+    for (int aim = 0; aim < most_aims; ++aim) {
+        const EyeRay seen = eye.ray(slope, V2d(0.0), reference_wavelength_nm);
+        if (seen.fate != RayFate::Transmitted) {
+            return std::nullopt;
+        }
+        const double way_m = seen.origin_eye_m.z - p_eye_m.z;
+        const V2d beside(p_eye_m.x - seen.origin_eye_m.x - seen.slope.x * way_m,
+                         p_eye_m.y - seen.origin_eye_m.y - seen.slope.y * way_m);
+        const V2d correction = beside / way_m;
+        slope += correction;
+        if (correction.length() < aimed_px * frame.pixel_slope_size().x) {
+            break;
+        }
+    }
+    return V2d((slope.x - frame.slope_left) / frame.pixel_slope_size().x,
+               (slope.y - frame.slope_bottom) / frame.pixel_slope_size().y);
+}
+
 ViewFrame view_frame(const CameraFrame& frame)
 {
     ViewFrame view;

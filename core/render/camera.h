@@ -11,6 +11,8 @@
 #include "scene/ray.h"
 #include "shading/hit_attributes.h"
 
+#include <optional>
+
 namespace eye_render {
 
 // A window of the frame in pixels, `x1` and `y1` excluded, y counted from the bottom.
@@ -74,5 +76,11 @@ struct CameraRay {
                                    const V2d& chief_slope,
                                    const V2d& pupil_point_m,
                                    double wavelength_nm = reference_wavelength_nm);
+
+// Where in the picture the eye sees the point of the world through its pupil's centre; nothing if
+// it does not.
+[[nodiscard]] std::optional<V2d> raster_of(const CameraFrame& frame,
+                                           const EyeModel& eye,
+                                           const V3d& p_world);
 
 }  // namespace eye_render

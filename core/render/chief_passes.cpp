@@ -27,6 +27,26 @@ ChiefHit chief_hit(const ChiefRays& rays, const V2d& chief_slope)
     return hit;
 }
 
+// Of a place that was hit, in the picture at that time.
+std::optional<V2d> raster_at(const ChiefRays& rays, const SurfaceHit& hit, float time)
+{
+    const V3d p_world = rays.frame.position_world + V3d(rays.scene.place_at(hit, time));
+    const bool is_still = rays.camera_motion == nullptr || time == shutter_middle;
+    return raster_of(is_still ? rays.frame : rays.camera_motion->at(time), rays.eye, p_world);
+}
+
+// As Pass::Vector has it; zero where the place is not to be seen at one of the times.
+std::array<double, 4> motion_vectors_px(const ChiefRays& rays, const SurfaceHit& hit)
+{
+    const auto before = raster_at(rays, hit, 0.0f);
+    const auto now = raster_at(rays, hit, shutter_middle);
+    const auto after = raster_at(rays, hit, 1.0f);
+    if (!(before && now && after)) {
+        return {};
+    }
+    return {before->x - now->x, before->y - now->y, now->x - after->x, now->y - after->y};
+}
+
 }  // namespace
 
 void trace_chief_ray(const ChiefRays& rays,
@@ -52,6 +72,11 @@ void trace_chief_ray(const ChiefRays& rays,
     const SurfaceHit& surface = *hit.surface;
     const V3d p_world = rays.frame.position_world + V3d(surface.p_world);
     set(Pass::Position, {p_world.x, p_world.y, p_world.z});
+    if (layout.has(Pass::Vector)) {
+        const auto vectors = motion_vectors_px(rays, surface);
+        std::ranges::transform(vectors, values.begin() + layout.first(Pass::Vector),
+                               [](double value) { return static_cast<float>(value); });
+    }
     set(Pass::ObjectIndex, {surface.placement->look.pass_index});
     set(Pass::MaterialIndex, {static_cast<double>(surface.material().pass_index)});
 }

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "eye/eye_model.h"
-#include "render/camera.h"
+#include "render/camera_motion.h"
 #include "render/pass_layout.h"
 #include "scene/scene.h"
 
@@ -16,6 +16,7 @@ struct ChiefRays {
     const CameraFrame& frame;
     const EyeModel& eye;
     float least_alpha = 0.5f;  // of what is met: rays pass what is clearer than that
+    const CameraMotion* camera_motion = nullptr;  // null: `frame` at all times
 };
 
 // Fills the values of one pixel, one a channel of the layout's chief passes.

@@ -225,9 +225,14 @@ private:
         }
         const float weight =
             light->is_met_by_rays ? power_heuristic(light->pdf, scattered.pdf) : 1.0f;
+        const Color3f unblocked = unshadowed(scene_, hit, *light, path_, passages_left(), media_);
+        if (path_.depth == 0 && light->lamp_probability > 0.0f && light_.wants_shadow()) {
+            const Color3f covered = throughput_ * (Color3f(1.0f) - bsdf.straight());
+            light_.add_shadow(covered * unblocked /
+                              (light->lamp_probability * static_cast<float>(scene_.lamp_count())));
+        }
         const Color3f contribution =
-            throughput_ * scattered.value * light->radiance * (weight / light->pdf) *
-            unshadowed(scene_, hit, *light, path_, passages_left(), media_);
+            throughput_ * scattered.value * light->radiance * (weight / light->pdf) * unblocked;
         light_.add_lit(contribution, light->origin, path_.depth + 1, bsdf, light->wi);
     }
 

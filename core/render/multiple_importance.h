@@ -42,8 +42,12 @@ public:
 
     const Scattering* operator->() const { return last_; }
 
-    // The camera's own place, where no light sampling competes with rays.
-    void start(const V3f& p_world) { last_->point.p_world = p_world; }
+    // The camera's own place, where no light sampling competes with rays, and the path's time.
+    void start(const V3f& p_world, float time)
+    {
+        last_->point.p_world = p_world;
+        last_->point.time = next_->point.time = time;
+    }
     // Where lights are to be weighed for the place that the path has come to.
     [[nodiscard]] LitPoint& next_point() { return next_->point; }
     // The path goes on from there. If not `is_delta`, the lights were weighed.

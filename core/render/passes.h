@@ -19,6 +19,7 @@ enum class Pass {
     Position,
     Normal,
     Uv,
+    Vector,
     ObjectIndex,
     MaterialIndex,
     DiffuseDirect,
@@ -35,6 +36,7 @@ enum class Pass {
     Emission,
     Environment,
     AmbientOcclusion,
+    Shadow,
     ShadowCatcher,
     DenoisingNormal,
     DenoisingAlbedo,
@@ -102,6 +104,10 @@ inline constexpr std::array pass_table{
     // By the active UV map, and how much of the pixel has one. A mean, as Cycles has it: over a
     // smooth map it is that of the pixel's middle, and pictures laid on by it have soft edges.
     PassInfo{Pass::Uv, "UV", "UVA", PassSource::Surface},
+    // How far the place has come in the picture while the shutter is open, pixels to the right
+    // and up: where it was when the shutter opened, less where it is half way; and where it is
+    // half way, less where it will be when the shutter closes.
+    PassInfo{Pass::Vector, "Vector", "XYZW", PassSource::Chief},
     // Numbers that stand for things: means of them would stand for others.
     PassInfo{Pass::ObjectIndex, "Object Index", "X", PassSource::Chief},
     PassInfo{Pass::MaterialIndex, "Material Index", "X", PassSource::Chief},
@@ -128,6 +134,9 @@ inline constexpr std::array pass_table{
     PassInfo{Pass::Environment, "Environment", "RGB", PassSource::Light},
     // The part of the sky over a surface that nothing near covers.
     PassInfo{Pass::AmbientOcclusion, "Ambient Occlusion", "RGB", PassSource::Surface},
+    // The mean over all lamps of how much of each one's light gets to a surface; 0 of one that is
+    // behind it.
+    PassInfo{Pass::Shadow, "Shadow", "RGB", PassSource::Surface},
     // What the light on shadow catchers must be multiplied by to be as it is with the objects.
     PassInfo{Pass::ShadowCatcher, "Shadow Catcher", "RGB", PassSource::Film},
     // Of the first surface that is not smooth, as seen in what is, or of what shines: in the

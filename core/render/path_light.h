@@ -72,6 +72,13 @@ public:
         add(contribution, origin, bounces, bounces == 1 ? shares_of_medium : first_);
     }
 
+    // Whether add_shadow must be told how much of the lamps' light gets to what the camera sees.
+    [[nodiscard]] bool wants_shadow() const
+    {
+        return values_ != nullptr && values_->layout().has(Pass::Shadow);
+    }
+    void add_shadow(const Color3f& unshadowed) { values_->add(Pass::Shadow, unshadowed); }
+
     // The world behind a transparent film: in its pass, though in no sum.
     [[nodiscard]] bool wants_world_behind_film() const
     {

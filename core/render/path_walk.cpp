@@ -15,7 +15,12 @@ bool PathWalk::fly(Ray& ray, std::optional<float> t_surface)
                                 .length = t_end - ray.t_min,
                                 .time = ray.time,
                                 .media = media_};
-    light_.add(throughput_ * medium.emitted(segment.length), LightOrigin{}, path_.depth);
+    media_.visit_emission([&](const Color3f& emission, const Placement* placement) {
+        const int group =
+            placement != nullptr ? placement->light_group : scene_.world_origin().group;
+        light_.add(throughput_ * medium.emitted(emission, segment.length), {.group = group},
+                   path_.depth);
+    });
     if (!medium.is_scattering() ||
         had_last_bounce(path_, settings_.max_bounces, settings_.limits)) {
         throughput_ *= medium.transmittance(segment.length);

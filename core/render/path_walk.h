@@ -29,7 +29,7 @@ protected:
 
     void start(const Ray& ray)
     {
-        last_.start(ray.origin);
+        last_.start(ray.origin, ray.time);
         if (scene_.has_media()) {
             media_ = scene_.media_at(ray.origin + ray.direction * ray.t_min, ray.time);
         }

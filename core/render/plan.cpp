@@ -74,6 +74,7 @@ void plan_lights(RenderPlan& plan, const SceneData& scene)
         case LampKind::Spot: ++plan.spots; break;
         case LampKind::Area: ++plan.area_lamps; break;
         }
+        plan.moving_lamps += lamp.motion.empty() ? 0 : 1;
     }
     plan.environment_table = !scene.world.surface.constant_emission();
 }
@@ -169,8 +170,9 @@ std::string RenderPlan::text() const
         << "; Stiles-Crawford: " << (stiles_crawford ? "on" : "off") << '\n';
     out << "motion: ";
     if (moves()) {
-        out << moving_objects << " objects move, " << deforming_meshes << " meshes deform, camera "
-            << (moving_camera ? "moves" : "still") << '\n';
+        out << moving_objects << " objects move, " << deforming_meshes << " meshes deform, "
+            << moving_lamps << " lamps move, camera " << (moving_camera ? "moves" : "still")
+            << (motion_blur ? "" : "; not blurred") << '\n';
     } else {
         out << "none\n";
     }

@@ -39,13 +39,14 @@ struct RenderPlan {
     bool shadow_catcher = false;       // some object shows only its shadows
     std::size_t moving_objects = 0;    // while the shutter is open
     std::size_t deforming_meshes = 0;  // or strands or points
+    std::size_t moving_lamps = 0;
     bool moving_camera = false;
+    bool motion_blur = true;  // else what moves is for a pass alone
     std::vector<PassRequest> passes;
 
-    // Every path has a time.
     [[nodiscard]] bool moves() const
     {
-        return moving_objects > 0 || deforming_meshes > 0 || moving_camera;
+        return moving_objects > 0 || deforming_meshes > 0 || moving_lamps > 0 || moving_camera;
     }
 
     // One fact a line, for people.

@@ -57,7 +57,7 @@ CameraRay ray_at(const RenderJob& job,
                  double wavelength_nm)
 {
     std::optional<CameraFrame> moved;
-    if (job.camera_motion) {
+    if (job.camera_motion && job.moves) {
         moved = job.camera_motion->at(time);
     }
     const CameraFrame& frame = moved ? *moved : job.frame;
@@ -67,6 +67,8 @@ CameraRay ray_at(const RenderJob& job,
     camera.ray.time = time;
     return camera;
 }
+
+float time_of(const RenderJob& job, float u) { return job.shutter ? job.shutter->sample(u) : u; }
 
 PathSample trace_sample(const RenderJob& job,
                         int x,
@@ -100,7 +102,7 @@ PathSample trace_sample(const RenderJob& job,
         wavelength_nm = sample_wavelength_nm(sequence.next()[0]);
         sample.channel_weight = display_primaries(wavelength_nm) / wavelength_pdf(wavelength_nm);
     }
-    const float time = job.moves ? sequence.next()[0] : shutter_middle;
+    const float time = job.moves ? time_of(job, sequence.next()[0]) : shutter_middle;
     const CameraRay camera = ray_at(job, time, raster, sample.pupil_point_m, wavelength_nm);
     sample.fate = camera.fate;
     if (job.stiles_crawford) {
@@ -150,7 +152,8 @@ bool trace_chief_rays(const RenderJob& job, Film& film, const std::atomic<bool>&
     const ChiefRays rays{.scene = *job.scene,
                          .frame = job.frame,
                          .eye = *job.eye,
-                         .least_alpha = job.chief_least_alpha};
+                         .least_alpha = job.chief_least_alpha,
+                         .camera_motion = job.camera_motion ? &*job.camera_motion : nullptr};
     return for_each_tile(film, cancelled, [&](FilmTile& tile) {
         const PixelBounds& bounds = tile.bounds();
         std::vector<float> values(job.passes.chief_channels());

@@ -8,6 +8,7 @@
 #include "render/camera_motion.h"
 #include "render/film.h"
 #include "render/pixel_filter.h"
+#include "render/shutter.h"
 
 #include <atomic>
 #include <cstdint>
@@ -29,6 +30,7 @@ struct RenderJob {
     std::optional<CameraMotion> camera_motion{};  // nothing: `frame` at all times
     // Every path has a time of its own; else all have the shutter's middle.
     bool moves = false;
+    std::optional<Shutter> shutter{};  // nothing: opens and closes at once
     std::shared_ptr<const EyeModel> eye;
     PupilPattern pattern;
     // False: all rays pass the pupil's centre (the plan found no blur to show).

@@ -71,6 +71,10 @@ struct Lamp {
     float spot_scale_x = 1.0f;              // spot: stretch of the cone against its length
     float spot_scale_y = 1.0f;
     float cot_half_spread = 0.0f;  // area: 0 without a grid
+    // Of one that moves while the shutter is open: this is half way, and a ball around `position`
+    // holds all of its places.
+    bool moves = false;
+    float reach = 0.0f;
 };
 
 // Area lamps are made at least this wide, so that one squashed flat keeps its power.

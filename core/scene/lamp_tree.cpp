@@ -19,6 +19,9 @@ Imath::Box3f bounds_of(const Lamp& lamp)
                          std::abs(lamp.axis_y[axis]) * lamp.half_y;
         }
     }
+    if (lamp.moves) {
+        half = V3f(lamp.reach);
+    }
     // For the roundings of the box and of the ray's way to it.
     constexpr float roundings = 16.0f * 1.2e-7f;
     for (int axis = 0; axis < 3; ++axis) {

@@ -2,8 +2,6 @@
 
 #include "scene/environment.h"
 
-#include <Imath/ImathBox.h>
-
 #include <cmath>
 #include <numbers>
 
@@ -40,6 +38,11 @@ LightEmitter emitter_of(const Lamp& lamp, std::uint32_t index)
         e.cos_edge = lamp.cot_half_spread / std::hypot(1.0f, lamp.cot_half_spread);
         break;
     }
+    if (lamp.moves) {
+        e.radius = lamp.reach;
+        e.axis = V3f(0.0f);
+        e.is_lambertian = false;
+    }
     return e;
 }
 
@@ -48,6 +51,7 @@ LightEmitter emitter_of(const EmissiveTriangle& t, std::uint32_t index)
     Imath::Box3f box(t.p0_world);
     box.extendBy(t.p1_world);
     box.extendBy(t.p2_world);
+    box.extendBy(t.reach);
     return {.kind = LightKind::Triangle,
             .index = index,
             .center_world = box.center(),

@@ -6,6 +6,8 @@
 #include "base/vector.h"
 #include "scene/lamp.h"
 
+#include <Imath/ImathBox.h>
+
 #include <cstdint>
 
 namespace eye_render {
@@ -17,6 +19,7 @@ enum class LightKind : std::uint8_t { Lamp, Triangle, Environment };
 struct EmissiveTriangle {
     V3f p0_world, p1_world, p2_world;
     float radiance = 0.0f;  // luminance, estimated, of either side
+    Imath::Box3f reach{};   // around the other places of one that moves
 };
 
 [[nodiscard]] inline float triangle_area(const V3f& p0, const V3f& p1, const V3f& p2)

@@ -17,6 +17,7 @@
 #include "base/vector.h"
 #include "scene/alias_table.h"
 #include "scene/light_emitter.h"
+#include "scene/motion.h"
 
 #include <array>
 #include <cstdint>
@@ -36,6 +37,7 @@ struct LightChoice {
 class LitPoint {
 public:
     V3f p_world{0.0f};
+    float time = shutter_middle;  // at which lights that move are looked at
 
 private:
     friend class LightSampler;

@@ -26,6 +26,21 @@ public:
     [[nodiscard]] bool in_medium() const { return mixture_.has_value(); }
     [[nodiscard]] const ParticipatingMedium& mixture() const { return *mixture_; }
 
+    // Calls visit(emission, placement) for each of the media that shine; null: the world's.
+    template <typename Visit>
+    void visit_emission(Visit visit) const
+    {
+        if (!in_medium() || max_component(mixture().emission) <= 0.0f) {
+            return;
+        }
+        if (world_ != nullptr) {
+            visit(world_->emission, nullptr);
+        }
+        for (std::size_t i = 0; i < count_; ++i) {
+            visit(inside_[i].medium->emission, inside_[i].placement);
+        }
+    }
+
     // The path passes through the surface that it hit.
     void cross(const SurfaceHit& hit);
     // A mesh that was never left has a hole: a path that meets nothing more is out of it.

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 
+#include "scene/barycentric.h"
 #include "scene/look_at.h"
 #include "scene/scene_probe.h"
 #include "scene/transform.h"
@@ -68,6 +69,28 @@ const Pose& Scene::pose_at(const Placement& placement,
     moved = Pose{.world_from_object = world_from_object,
                  .world_from_object_normal = normal_matrix(M44d(world_from_object))};
     return *moved;
+}
+
+V3f Scene::place_at(const SurfaceHit& hit, float time) const
+{
+    const auto in_object = [&hit](float when) {
+        if (const Mesh* const mesh = hit.placement->mesh()) {
+            const auto [p0, p1, p2] = mesh->corners(hit.primitive, when);
+            return interpolate(p0, p1, p2, hit.u, hit.v);
+        }
+        if (const auto* const curves = std::get_if<Curves>(hit.placement->geometry)) {
+            return strand_point(*curves, strand_place(*curves, hit.primitive, hit.u), when)
+                .at.center;
+        }
+        const auto& points = std::get<Points>(*hit.placement->geometry);
+        return at_time(points.points, points.motion, hit.primitive, when).center;
+    };
+    std::optional<Pose> moved_now;
+    std::optional<Pose> moved_then;
+    const M44f& now = pose_at(*hit.placement, hit.time, moved_now).world_from_object;
+    const M44f& then = pose_at(*hit.placement, time, moved_then).world_from_object;
+    // From the place itself: what keeps still keeps it exactly.
+    return hit.p_world + (in_object(time) * then - in_object(hit.time) * now);
 }
 
 ShadedPoint Scene::shade(const SurfaceHit& hit, const PathState& path) const

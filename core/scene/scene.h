@@ -8,7 +8,9 @@
 #include "base/vector.h"
 #include "scene/accelerator.h"
 #include "scene/environment.h"
+#include "scene/incoming_light.h"
 #include "scene/lamp_attributes.h"
+#include "scene/lamp_motion.h"
 #include "scene/lamp_tree.h"
 #include "scene/light_sampler.h"
 #include "scene/medium_stack.h"
@@ -29,31 +31,6 @@ namespace eye_render {
 struct Emitter {
     const Placement* placement = nullptr;
     std::uint32_t triangle = 0;
-};
-
-// Light that arrives at a point, before anything stands in its way.
-struct IncomingLight {
-    V3f wi;
-    float distance = 0.0f;  // infinite for the environment and the sun
-    Color3f radiance;
-    float pdf = 0.0f;  // per unit solid angle, the choice of the light included
-    // Whether a ray that a BSDF sends this way may find the light too, so that MIS must weigh.
-    bool is_met_by_rays = true;
-    bool casts_shadow = true;
-    Visibility visibility{};    // for which kinds of scattering it is there
-    bool is_surface = false;    // of an object: a thing that is seen, not a lamp or the world
-    bool is_of_catcher = true;  // there, too, where only shadow catchers are: all but objects
-    LightLinks links{};
-    LightOrigin origin{};
-};
-
-// Lamps that a ray meets, to be weighed against sampling them.
-struct LampContribution {
-    float t = 0.0f;  // from the point
-    Color3f radiance;
-    float pdf = 0.0f;
-    LightLinks links;
-    LightOrigin origin;
 };
 
 // Layers of straight transparency that a ray passes before it is given up: enough for foliage, and
@@ -96,6 +73,8 @@ public:
                                                      const PathState& path) const;
     // By the mesh's active UV map; nothing if it has none.
     [[nodiscard]] std::optional<V2f> active_uv(const SurfaceHit& hit) const;
+    // Where the place of a surface that was hit is at another time.
+    [[nodiscard]] V3f place_at(const SurfaceHit& hit, float time) const;
     [[nodiscard]] const ViewFrame& view() const { return frame_.view; }
 
     // The part of the light that passes along the ray: 0 behind an opaque surface, and behind more
@@ -133,6 +112,8 @@ public:
                                                             double u_light,
                                                             const V2f& u) const;
 
+    [[nodiscard]] std::size_t lamp_count() const { return lamps_.size(); }
+
     // The middle of a light that may be chosen for the point; nothing for one that is far from
     // everything.
     [[nodiscard]] std::optional<V3f> light_center(const LitPoint& point, double u_light) const;
@@ -156,13 +137,15 @@ public:
             if (!lamps_[index].visibility.shines_on(path)) {
                 return;
             }
-            const auto hit = lamp_hit(lamps_[index], point.p_world, direction, t_max);
+            std::optional<MovedLamp> moved;
+            const auto hit =
+                lamp_hit(lamp_at(index, point.time, moved), point.p_world, direction, t_max);
             if (hit && hit->t > t_min) {
                 const LampSight sight{
                     .p_lit_world = point.p_world, .wi = direction, .distance = hit->t};
                 visit(LampContribution{
                     hit->t,
-                    hit->radiance * lamp_factor(index, sight, path),
+                    hit->radiance * lamp_factor(index, moved, sight, path),
                     hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point),
                     data_.lamps[index].links,
                     {.group = data_.lamps[index].light_group}});
@@ -190,13 +173,26 @@ private:
     [[nodiscard]] const Pose& pose_at(const Placement& placement,
                                       float time,
                                       std::optional<Pose>& moved) const;
+    // The same of a lamp.
+    [[nodiscard]] const Lamp& lamp_at(std::uint32_t index,
+                                      float time,
+                                      std::optional<MovedLamp>& moved) const
+    {
+        if (lamp_motions_.empty() || !lamp_motions_[index]) {
+            return lamps_[index];
+        }
+        moved = lamp_motions_[index]->at(time);
+        return moved->lamp;
+    }
     // Radiance that the triangle sends from the point with these weights towards `wo`.
     [[nodiscard]] Color3f emission(const Emitter& emitter,
                                    const V2f& weights,
-                                   const V3f& wo) const;
+                                   const V3f& wo,
+                                   float time) const;
     void add_placements();
     [[nodiscard]] std::vector<const Material*> materials_of(const InstanceData& instance) const;
     void add_lamps();
+    void add_motion_of_lamp(std::uint32_t index);
     void add_media();
     // `box` of its geometry.
     [[nodiscard]] ParticipatingMedium medium_in(const Placement& placement,
@@ -209,17 +205,20 @@ private:
     // True if the world's medium leaves nothing of light that comes from infinitely far.
     [[nodiscard]] bool is_cut_off_from_infinity() const;
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
-    // What the nodes of a lamp multiply its light by.
+    // What the nodes of a lamp, as `lamp_at` gave it, multiply its light by.
     [[nodiscard]] Color3f lamp_factor(std::uint32_t index,
+                                      const std::optional<MovedLamp>& moved,
                                       const LampSight& sight,
                                       const PathState& path) const;
     [[nodiscard]] float brightest_factor(std::uint32_t index) const;
     // As the accelerator holds them: in the world for a flat placement, else in object space.
-    [[nodiscard]] std::array<V3f, 3> accelerator_corners(const Emitter& emitter) const;
-    [[nodiscard]] std::array<V3f, 3> corners_world(const Emitter& emitter) const;
-    [[nodiscard]] V3f emitter_normal(const Emitter& emitter) const;  // unit, the mesh's own side
+    [[nodiscard]] std::array<V3f, 3> accelerator_corners(const Emitter& emitter, float time) const;
+    [[nodiscard]] std::array<V3f, 3> corners_world(const Emitter& emitter, float time) const;
+    // Unit, the mesh's own side.
+    [[nodiscard]] V3f emitter_normal(const Emitter& emitter, float time) const;
+    [[nodiscard]] float mean_emission(const Emitter& emitter) const;
     [[nodiscard]] std::optional<IncomingLight> sample_emitter(std::uint32_t index,
-                                                              const V3f& p,
+                                                              const LitPoint& point,
                                                               const V2f& u) const;
 
     const SceneData& data_;
@@ -237,9 +236,10 @@ private:
     float reach_of_eye_ = 0.0f;
     std::vector<Emitter> emitters_;
     std::vector<Lamp> lamps_;
-    std::vector<LampSpace> lamp_spaces_;  // one a lamp
-    LampTree visible_lamps_;              // those that rays may meet
-    LampTree camera_lamps_;               // and those of them that the camera sees
+    std::vector<LampSpace> lamp_spaces_;                   // one a lamp
+    std::vector<std::optional<LampMotion>> lamp_motions_;  // one a lamp; empty: none moves
+    LampTree visible_lamps_;                               // those that rays may meet
+    LampTree camera_lamps_;  // and those of them that the camera sees
     Environment environment_;
     LightSampler light_sampler_;
     bool may_be_transparent_ = false;  // some material lets light straight through

@@ -50,14 +50,22 @@ struct InstanceData {
     std::vector<M44d> motion{};
 };
 
+// A lamp as it is at one time.
+struct LampPose {
+    LampSettings settings;  // world_from_light is left out of account
+    M44d world_from_light;
+};
+
 struct LampData {
     std::string name;
     int light_group = no_light_group;
     LightLinks links{};
-    LampSettings settings;  // world_from_light is left out of account
+    LampSettings settings;  // as those of a pose
     M44d world_from_light;
     // Multiplies its light, where that is not one colour (which is part of the settings).
     std::optional<Material> nodes{};
+    // At the times of motion.h, alike but for numbers; empty: still. The above is half way.
+    std::vector<LampPose> motion{};
 };
 
 struct SceneData {

@@ -24,10 +24,16 @@ void Scene::add_lamps()
         lamp.brightness = brightest_factor(index);
         if (lamp.kind == LampKind::Sun && is_cut_off_from_infinity()) {
             lamp.emission = Color3f(0.0f);
+            continue;
+        }
+        bool may_be_met = !lamp.is_delta;
+        if (!data.motion.empty()) {
+            add_motion_of_lamp(index);
+            may_be_met = lamp_motions_[index]->may_be_met();
         }
         // Rays would lose a lamp without shadows behind what it shines through: sampling alone
         // finds it.
-        if (!lamp.is_delta && lamp.casts_shadow) {
+        if (may_be_met && lamp.casts_shadow) {
             visible.push_back(index);
             if (lamp.visibility.to_camera) {
                 seen_by_camera.push_back(index);
@@ -38,7 +44,16 @@ void Scene::add_lamps()
     camera_lamps_ = LampTree(lamps_, seen_by_camera);
 }
 
+void Scene::add_motion_of_lamp(std::uint32_t index)
+{
+    lamp_motions_.resize(data_.lamps.size());
+    lamp_motions_[index].emplace(data_.lamps[index].motion, frame_.eye_position_world);
+    lamps_[index].moves = true;
+    lamps_[index].reach = lamp_motions_[index]->reach_from(lamps_[index].position);
+}
+
 Color3f Scene::lamp_factor(std::uint32_t index,
+                           const std::optional<MovedLamp>& moved,
                            const LampSight& sight,
                            const PathState& path) const
 {
@@ -46,11 +61,20 @@ Color3f Scene::lamp_factor(std::uint32_t index,
     if (!nodes) {
         return Color3f(1.0f);
     }
-    const LampAttributes at(lamps_[index], lamp_spaces_[index], sight, frame_);
-    const ShadingPoint point = at.shading_point();
-    PathState met = path;
-    met.length = sight.distance;
-    return nodes->surface.emission({.point = point, .attributes = at, .path = met});
+    const auto factor = [&](const Lamp& lamp, const LampSpace& space) {
+        const LampAttributes at(lamp, space, sight, frame_);
+        const ShadingPoint point = at.shading_point();
+        PathState met = path;
+        met.length = sight.distance;
+        return nodes->surface.emission({.point = point, .attributes = at, .path = met});
+    };
+    if (!moved) {
+        return factor(lamps_[index], lamp_spaces_[index]);
+    }
+    const M44d world_from_light =
+        relative_to_eye(M44d(moved->world_from_light), -frame_.eye_position_world);
+    return factor(moved->lamp,
+                  LampSpace(world_from_light, data_.lamps[index].settings.has_own_space));
 }
 
 // Looked at from all around, a unit away; 1 where that finds no light.
@@ -66,8 +90,8 @@ float Scene::brightest_factor(std::uint32_t index) const
         const V3f wi = sample_uniform_sphere({u[0], u[1]});
         const LampSight sight{
             .p_lit_world = lamps_[index].position - wi, .wi = wi, .distance = 1.0f};
-        brightest =
-            std::max(brightest, luminance(magnitude(lamp_factor(index, sight, light_path))));
+        brightest = std::max(
+            brightest, luminance(magnitude(lamp_factor(index, std::nullopt, sight, light_path))));
     }
     return brightest > 0.0f ? brightest : 1.0f;
 }

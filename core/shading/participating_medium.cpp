@@ -60,16 +60,16 @@ Color3f ParticipatingMedium::transmittance(float distance) const
     return left;
 }
 
-Color3f ParticipatingMedium::emitted(float distance) const
+Color3f ParticipatingMedium::emitted(const Color3f& part, float distance) const
 {
     Color3f sum(0.0f);
     for (int c = 0; c < 3; ++c) {
-        if (!(emission[c] > 0.0f)) {
+        if (!(part[c] > 0.0f)) {
             continue;  // not even along an infinite way
         }
         // Where next to nothing is taken, the quotient would be of two roundings.
         const float taken = -std::expm1(-extinction[c] * distance);
-        sum[c] = emission[c] *
+        sum[c] = part[c] *
                  (taken > std::numeric_limits<float>::min() ? taken / extinction[c] : distance);
     }
     return sum;

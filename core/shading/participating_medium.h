@@ -40,8 +40,9 @@ public:
 
     // What is left of light after so far; the distance may be infinite.
     [[nodiscard]] Color3f transmittance(float distance) const;
-    // Radiance that it sends back along a ray of that length, less what it takes itself.
-    [[nodiscard]] Color3f emitted(float distance) const;
+    // Radiance that a part of it, of this emission, sends back along a ray of that length, less
+    // what all of it takes.
+    [[nodiscard]] Color3f emitted(const Color3f& part, float distance) const;
 
     // Of light that goes on at an angle of that 1 - cos to its direction of travel: what is
     // scattered per unit length and solid angle, and the density of `sample` there.

@@ -157,15 +157,6 @@ def test_tangents_of_uv_maps_are_attributes_of_those_who_ask(scene, depsgraph_of
     assert absent.attributes == {}
 
 
-def test_faces_of_many_sides_have_no_tangents(scene, depsgraph_of):
-    mesh = bpy.data.meshes.new("Pentagon")
-    corners = [(np.cos(turn), np.sin(turn), 0.0) for turn in np.arange(5) * 2.0 * np.pi / 5.0]
-    mesh.from_pydata(corners, [], [range(5)])
-    mesh.uv_layers.new(name="UVMap")
-    result = exported(mesh, depsgraph_of, RecordingScene(attributes=[".tangent"]))
-    assert result.attributes == {}
-
-
 def test_uv_maps_are_attributes_too(scene, depsgraph_of):
     result = exported(quad_mesh(), depsgraph_of, RecordingScene(attributes=["UVMap"]))
     corners = result.positions[result.triangles.ravel()]

@@ -146,10 +146,35 @@ def test_a_mesh_with_other_vertices_at_other_times_is_shown_as_it_is(shutter, re
     assert spread_px(render()) == pytest.approx(spread_px(unblurred), rel=0.02)
 
 
-def test_what_cannot_be_done_is_said(shutter, render, capfd):
-    shining()
+def test_the_shutter_s_curve_weighs_the_way(shutter, render):
+    moved(shining(), "location", 0, -2.0, 2.0)
     curve = shutter.render.motion_blur_shutter_curve
-    curve.curves[0].points[0].location.y = 0.0
+    curve.initialize()
+    for point, place in zip(curve.curves[0].points, ((0.0, 1.0), (1.0, 0.0)), strict=False):
+        point.location = place
+        point.handle_type = "VECTOR"
     curve.update()
+    # The mean of the density 2 (1 - t) is a third: a sixth of two units before the middle.
+    assert middle_px(render()) == pytest.approx(-PX_PER_UNIT / 3.0, abs=0.1)
+
+
+def test_a_lamp_is_spread_along_its_way(shutter, render):
+    light = bpy.data.lights.new("Lamp", "AREA")
+    light.size = 0.5
+    lamp = add_object(light, "Lamp")
+    lamp.location.z = -10.0
+    lamp.rotation_euler.x = np.pi
+    lamp.visible_camera = True
+    unblurred = spread_px(render())
+    moved(lamp, "location", 0, -2.0, 2.0)
+    expected = np.hypot(unblurred, 2.0 * PX_PER_UNIT / np.sqrt(12.0))
+    assert spread_px(render()) == pytest.approx(expected, rel=0.03)
+
+
+def test_a_rolling_shutter_is_said_to_be_left_out(shutter, render, capfd):
+    shining()
+    if not hasattr(shutter, "cycles"):
+        pytest.skip("this Blender has no Cycles")
+    shutter.cycles.rolling_shutter_type = "TOP"
     render()
-    assert "The shutter's curve is not supported" in capfd.readouterr().out
+    assert "A rolling shutter is not supported" in capfd.readouterr().out

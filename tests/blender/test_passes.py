@@ -24,7 +24,7 @@ from tools.meshes import cube_mesh
 BLENDER_S_SWITCHES = [
     *("use_pass_z", "use_pass_mist", "use_pass_position", "use_pass_normal", "use_pass_uv"),
     *("use_pass_object_index", "use_pass_material_index", "use_pass_emit"),
-    *("use_pass_environment", "use_pass_ambient_occlusion"),
+    *("use_pass_environment", "use_pass_ambient_occlusion", "use_pass_vector", "use_pass_shadow"),
     *(
         f"use_pass_{lobe}_{part}"
         for lobe in ("diffuse", "glossy", "transmission")
@@ -185,6 +185,61 @@ def test_light_groups_add_up_to_what_is_in_them(scene, tmp_path):
     total = layer("Combined_objects") + layer("Combined_sky")
     assert layer("Combined_sky").max() > 0.1
     assert np.allclose(total, layer("Combined")[..., :3], rtol=1e-5, atol=1e-6)
+
+
+def test_vectors_are_pixels_from_the_frame_before_and_to_the_frame_after(scene, tmp_path):
+    scene.view_layers[0].use_pass_vector = True
+    wall = _moving_wall(scene)
+    vector = _render(scene, tmp_path)("Vector")
+    # 36 mm of film for 50 mm of focal length at a distance of two.
+    px_per_unit = scene.render.resolution_x / 0.72 / 2.0
+    assert vector[0, 0] == pytest.approx(np.array([-0.1, 0.0, -0.3, 0.0]) * px_per_unit, abs=1e-3)
+    assert wall.location.x == pytest.approx(0.0)  # and the picture is that of its own frame
+    scene.render.use_motion_blur = True
+    assert _render(scene, tmp_path)("Vector").max() == 0.0
+
+
+def test_a_camera_that_goes_along_leaves_no_vectors(scene, tmp_path):
+    scene.view_layers[0].use_pass_vector = True
+    scene.camera.parent = _moving_wall(scene)
+    scene.camera.location.z = 2.0
+    assert np.abs(_render(scene, tmp_path)("Vector")).max() < 1e-3
+
+
+def _moving_wall(scene) -> bpy.types.Object:
+    """Ahead of the camera, at frame 5; comes by 0.1 and goes by 0.3 to the right in a frame."""
+    wall = add_object(quad_mesh(size=10.0))
+    for frame, x in ((4, -0.1), (5, 0.0), (6, 0.3)):
+        wall.location = (x, 0.0, -2.0)
+        wall.keyframe_insert("location", frame=frame)
+    scene.frame_set(5)
+    return wall
+
+
+@pytest.mark.skipif(bpy.app.version >= (4, 0, 0), reason="Cycles has no such pass")
+def test_shadows_of_lamps_are_those_of_cycles(scene, tmp_path):
+    scene.view_layers[0].use_pass_shadow = True
+    wall = add_object(quad_mesh(size=10.0))
+    wall.location = (0.0, 0.0, -4.0)
+    wall.data.materials.append(node_material())
+    surface(wall.data.materials[0], "ShaderNodeBsdfDiffuse")
+    cube = add_object(cube_mesh())
+    cube.location, cube.scale = (0.0, 0.0, -3.5), (0.3, 0.3, 0.3)
+    for x, kind in ((-2.0, "POINT"), (1.5, "AREA")):
+        light = bpy.data.lights.new("Lamp", kind)
+        light.energy = 100.0
+        add_object(light, "Lamp").location = (x, 0.5, 0.0)
+    _world(scene).color = (0.2, 0.3, 0.4)
+    pictures = {}
+    scene.eye_render.samples = scene.cycles.samples = 512
+    scene.camera.data.eye_render.model = "PINHOLE"
+    scene.cycles.use_adaptive_sampling = scene.cycles.use_denoising = False
+    scene.cycles.light_sampling_threshold = 0.0
+    for engine in ("CYCLES", "EYE_RENDER"):
+        scene.render.engine = engine
+        pictures[engine] = _render(scene, tmp_path)("Shadow")
+    assert pictures["CYCLES"].min() < 0.6 < 0.9 < pictures["CYCLES"].max()
+    assert np.abs(pictures["EYE_RENDER"] - pictures["CYCLES"]).mean() < 0.02
 
 
 def _write_out(tree: bpy.types.NodeTree, name: str, **value) -> bpy.types.Node:

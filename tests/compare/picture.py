@@ -11,6 +11,8 @@ VIEWS = {
     "OVER_MAGENTA": lambda rgba: rgba[..., :3] + (1 - rgba[..., 3:]) * MAGENTA,
     "SIGNED": lambda rgba: rgba[..., :3] * 0.5 + 0.5,
     "GREEN": lambda rgba: rgba[..., 1:2].repeat(3, axis=-1),
+    # Of pixels, ten to either side.
+    "MOTION": lambda rgba: rgba[..., :3] * 0.05 + 0.5,
     "TENTH": lambda rgba: rgba[..., :3] * 0.1,
 }
 

@@ -122,6 +122,6 @@ def test_the_plan_says_what_moves() -> None:
         lambda s: s.add_mesh("quad", QUAD, TRIANGLES), motion=np.array([at(), at(1.0)])[None]
     )
     moving.set_camera(np.eye(4), WINDOW, (4, 4))
-    assert "motion: 1 objects move, 0 meshes deform, camera still\n" in (
+    assert "motion: 1 objects move, 0 meshes deform, 0 lamps move, camera still\n" in (
         eyecore.Session(moving, observer, settings).plan_text
     )

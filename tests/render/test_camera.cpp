@@ -50,6 +50,29 @@ TEST(Camera, clipping_planes_are_perpendicular_to_the_axis)
     EXPECT_NEAR(ray.ray.t_max, 10.0 * std::sqrt(2.0), 1e-5);
 }
 
+TEST(Camera, the_picture_shows_a_point_where_its_chief_ray_comes_from)
+{
+    CameraFrame frame = test::frame(32, 0.5);
+    frame.position_world = V3d(7.0, -3.0, 2.0);
+    frame.metres_per_unit = 0.01;
+    const std::array eyes{EyeModelKind::Paraxial, EyeModelKind::Navarro};
+    for (const EyeModelKind model : eyes) {
+        const auto eye = make_eye({.model = model,
+                                   .rx = Prescription{.sphere_d = -4.0},
+                                   .rx_plane = RxPlane::EntrancePupil,
+                                   .pupil_diameter_m = 4e-3});
+        for (const V2d& raster : {V2d(16.0, 16.0), V2d(3.25, 28.5), V2d(31.0, 1.0)}) {
+            const auto ray = camera_ray(frame, *eye, frame.chief_slope(raster), V2d(0.0));
+            ASSERT_EQ(ray.fate, RayFate::Transmitted);
+            const V3d p = frame.position_world + V3d(ray.ray.origin + ray.ray.direction * 40.0f);
+            const auto found = raster_of(frame, *eye, p);
+            ASSERT_TRUE(found);
+            EXPECT_LT((*found - raster).length(), 1e-3) << raster;
+        }
+        EXPECT_FALSE(raster_of(frame, *eye, frame.position_world + frame.axis_z));
+    }
+}
+
 // A camera under a parent that is scaled unevenly: its axes are unit, but not across each other.
 CameraFrame sheared()
 {

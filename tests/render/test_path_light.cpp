@@ -142,5 +142,41 @@ TEST(PathLight, a_light_group_has_the_light_of_its_lamps_objects_and_world)
     EXPECT_EQ(light.seen().radiance, Color3f(7.0f));
 }
 
+TEST(PathLight, a_light_group_has_the_glow_of_its_objects_interiors_and_of_its_world)
+{
+    const auto glow = [](float strength) {
+        return test::filled("EMISSION", {{"Color", V3f(1.0f)}, {"Strength", V3f(strength)}});
+    };
+    SceneData data;
+    data.light_groups = {"gas", "air"};
+    test::place(data, test::cube(0.5f), V3d(0, 0, -2), glow(3.0f));
+    test::place(data, test::cube(0.6f), V3d(0, 0, -2), glow(1.0f));
+    data.instances[0].light_group = 0;
+    const V3f absorption(0.1f);
+    data.world.volume =
+        test::filled("VOLUME_COEFFICIENTS", {{"Absorption Coefficients", absorption},
+                                             {"Scatter Coefficients", V3f(0.0f)},
+                                             {"Emission Coefficients", V3f(0.5f)}})
+            .volume;
+    data.world_light_group = 1;
+    const Scene scene(data, V3d(0.0));
+    const PassLayout layout({PassRequest(Pass::LightGroup, "gas"),
+                             PassRequest(Pass::LightGroup, "air"), Pass::Emission},
+                            {.light_groups = data.light_groups});
+    PassValues values(layout);
+    SampleSequence sequence = test::sequence_of(0);
+    const Color3f radiance = trace_path(scene, {.max_bounces = 0}, {}, sequence, &values).radiance;
+    const auto of = [&](std::string_view group) {
+        return values.channels()[layout.first(PassRequest(Pass::LightGroup, std::string(group)))];
+    };
+    // Through the air in front of the gas, and the air in it.
+    EXPECT_NEAR(of("gas"), 3.0f * std::exp(-0.15f) * (1.0f - std::exp(-0.1f)) / 0.1f, 1e-4f);
+    EXPECT_NEAR(of("air"), 0.5f / 0.1f, 1e-4f);
+    EXPECT_NEAR(radiance.x - of("gas") - of("air"),
+                std::exp(-0.14f) * (1.0f - std::exp(-0.12f)) / 0.1f, 1e-4f);
+    EXPECT_NEAR(values.channels()[static_cast<std::size_t>(layout.first(Pass::Emission))],
+                radiance.x, 1e-5f);
+}
+
 }  // namespace
 }  // namespace eye_render

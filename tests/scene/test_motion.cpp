@@ -38,10 +38,11 @@ SceneData moving(Geometry geometry, std::vector<M44d> motion)
 {
     SceneData data;
     data.geometries.push_back(std::move(geometry));
-    data.instances.push_back({.geometry = 0,
-                              .world_from_object = motion.empty() ? M44d() : motion[1],
-                              .materials = {},
-                              .motion = motion});
+    InstanceData instance{.geometry = 0,
+                          .world_from_object = motion.empty() ? M44d() : motion[1],
+                          .materials = {},
+                          .motion = std::move(motion)};
+    data.instances.push_back(std::move(instance));
     return data;
 }
 
@@ -140,6 +141,85 @@ TEST(Motion, strands_and_balls_move_by_their_keys)
         EXPECT_LT((hit->point.ng - V3f(0.0f, 0.0f, 1.0f)).length(), 1e-3f);
         EXPECT_FALSE(scene.intersect({.origin = V3f(0.5f, 0.0f, 0.0f), .time = 0.0f}));
     }
+}
+
+TEST(Motion, what_shines_is_sampled_where_it_is)
+{
+    Mesh deforming = square();
+    for (const float x : {-3.0f, 3.0f}) {
+        deforming.motion_positions.push_back(deforming.positions);
+        for (V3f& p : deforming.motion_positions.back()) {
+            p.x += x;
+        }
+    }
+    const std::vector<M44d> places{at({-3.0, 0.0, 0.0}), at({0.0, 0.0, 0.0}), at({3.0, 0.0, 0.0})};
+    for (const bool deforms : {false, true}) {
+        SceneData data = deforms ? moving(deforming, {}) : moving(square(), places);
+        data.materials.push_back(
+            plain_material("EMISSION", {{"Color", V3f(1.0f)}, {"Strength", V3f(2.0f)}}));
+        data.instances[0].materials = {0};
+        const Scene scene(data, V3d(0.0));
+        for (const float time : {0.0f, 0.3f, 0.5f, 1.0f}) {
+            LitPoint point;
+            point.time = time;
+            scene.weigh_lights(V3f(0.0f), V3f(0, 0, -1), point);
+            const auto light = scene.sample_light(point, 0.4, V2f(0.3f, 0.7f));
+            ASSERT_TRUE(light) << time;
+            EXPECT_EQ(light->radiance, Color3f(2.0f));
+            const auto hit = scene.intersect({.direction = light->wi, .time = time});
+            ASSERT_TRUE(hit) << time;
+            EXPECT_NEAR(hit->p_world.x, 6.0f * (time - 0.5f), 1.0f);
+            EXPECT_NEAR(scene.emitter_pdf(*hit, point), light->pdf, 1e-3f * light->pdf) << time;
+        }
+    }
+}
+
+TEST(Motion, a_lamp_is_sampled_and_met_where_it_is)
+{
+    SceneData data;
+    const auto lamp_at = [](double x) {
+        return LampPose{{.color = Color3f(1.0f), .radius = 0.5f}, at({x, 0.0, -5.0})};
+    };
+    data.lamps.push_back({.name = "lamp",
+                          .settings = lamp_at(0.0).settings,
+                          .world_from_light = lamp_at(0.0).world_from_light,
+                          .motion = {lamp_at(-4.0), lamp_at(0.0), lamp_at(2.0)}});
+    const Scene scene(data, V3d(0.0));
+    for (const auto& [time, x] :
+         std::vector<std::pair<float, float>>{{0.0f, -4.0f}, {0.25f, -2.0f}, {0.75f, 1.0f}}) {
+        LitPoint point;
+        point.time = time;
+        scene.weigh_lights(V3f(0.0f), V3f(0, 0, -1), point);
+        const auto light = scene.sample_light(point, 0.0, V2f(0.5f, 0.5f));
+        ASSERT_TRUE(light) << time;
+        const V3f middle(x, 0.0f, -5.0f);
+        EXPECT_NEAR(light->wi.dot(middle.normalized()), 1.0f, 0.01f) << time;
+        int met = 0;
+        scene.visit_lamps(point, {.is_camera = false}, light->wi, 0.0f,
+                          std::numeric_limits<float>::infinity(),
+                          [&](const LampContribution& lamp) {
+                              ++met;
+                              EXPECT_NEAR(lamp.pdf, light->pdf, 1e-3f * light->pdf);
+                          });
+        EXPECT_EQ(met, 1) << time;
+        scene.visit_lamps(point, {.is_camera = false}, V3f(0, 0, -1), 0.0f,
+                          std::numeric_limits<float>::infinity(),
+                          [&](const LampContribution&) { ADD_FAILURE() << time; });
+    }
+}
+
+TEST(Motion, a_place_is_found_at_another_time)
+{
+    const SceneData data = moving(square(), {at({0.0, 0.0, 0.0}), turned(30.0), turned(60.0)});
+    const Scene scene(data, V3d(0.0));
+    const auto hit = scene.intersect({.direction = V3f(0.1f, 0.0f, -1.0f).normalized()});
+    ASSERT_TRUE(hit);
+    for (const float sign : {-1.0f, 1.0f}) {
+        const float turn = sign * std::numbers::pi_v<float> / 6.0f;
+        const V3f expected(0.5f * std::cos(turn), 0.5f * std::sin(turn), -5.0f);
+        EXPECT_LT((scene.place_at(*hit, 0.5f + 0.5f * sign) - expected).length(), 1e-5f);
+    }
+    EXPECT_EQ(scene.place_at(*hit, 0.5f), hit->p_world);
 }
 
 }  // namespace

@@ -29,13 +29,13 @@ TEST(ParticipatingMedium, shines_through_what_it_takes)
     ParticipatingMedium medium;
     medium.emission = Color3f(3.0f);
     medium.extinction = {0.0f, 1e-30f, 0.5f};
-    const Color3f seen = medium.emitted(2.0f);
+    const Color3f seen = medium.emitted(medium.emission, 2.0f);
     EXPECT_FLOAT_EQ(seen.x, 6.0f);
     EXPECT_FLOAT_EQ(seen.y, 6.0f);
     EXPECT_FLOAT_EQ(seen.z, 3.0f * (1.0f - std::exp(-1.0f)) / 0.5f);
-    EXPECT_FLOAT_EQ(medium.emitted(infinity).z, 6.0f);
+    EXPECT_FLOAT_EQ(medium.emitted(medium.emission, infinity).z, 6.0f);
     medium.emission = Color3f(0.0f);
-    EXPECT_EQ(medium.emitted(infinity), Color3f(0.0f));
+    EXPECT_EQ(medium.emitted(medium.emission, infinity), Color3f(0.0f));
 }
 
 TEST(ParticipatingMedium, overlapping_media_add_up)

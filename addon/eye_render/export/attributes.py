@@ -6,6 +6,7 @@ import numpy as np
 from .. import compat
 from .derived_attributes import island_randoms, pointiness
 from .nodes import DERIVED_ATTRIBUTES
+from .tangents import tangents_at_corners
 
 # The member of an attribute's items that holds the numbers, how many there are, and their type.
 _MEMBERS = {
@@ -45,8 +46,7 @@ def _attribute(
     if name in _DERIVED:
         return _rgba(_DERIVED[name](mesh)[:, None])[triangles.ravel()]
     if name.endswith(TANGENT):
-        tangents = compat.tangents(mesh, name.removesuffix(TANGENT))
-        return None if tangents is None else tangents[corners.ravel()]
+        return tangents_at_corners(mesh, corners, name.removesuffix(TANGENT))
     if name in mesh.uv_layers:  # attributes only since Blender 3.5
         return _rgba(compat.corner_uvs(mesh.uv_layers[name]))[corners.ravel()]
     attribute = mesh.attributes.get(name) if name else _render_color(mesh)

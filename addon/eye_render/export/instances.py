@@ -12,7 +12,7 @@ from .. import core, cryptomatte, passes
 from .light import LightTable
 from .light_links import LightLinks, Linked, Links
 from .material import MaterialTable
-from .motion import Key, Motion, key_of, steps_of
+from .motion import Key, Motion, key_of
 from .object_properties import PropertyReader
 from .object_random import random_of
 from .pose import Pose
@@ -130,7 +130,7 @@ class _Collector:
         light_group = light_group_of(shown, placer, self._depsgraph.view_layer_eval)
         links, linked = self._links.of_light(shown), self._links.of_object(shown, placer)
         slots = self._materials.worn_by(shown)
-        steps = steps_of(shown, placer) if motion else 0
+        steps = motion.shutter.steps_of(shown, placer) if motion else 0
         groups = []
         for source in sources_of(instance, self._depsgraph):
             if source.key not in self.geometries:
@@ -186,6 +186,7 @@ def export_instances(
                 seen.hidden_from,
                 light_group,
                 links.of_light(shown),
+                motion.lamp_poses(instance, placer) if motion else [],
             )
         elif shown.type in TYPES:
             address = shown.data.as_pointer()

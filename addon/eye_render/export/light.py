@@ -2,7 +2,7 @@
 square metre."""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 
 import bpy
 import numpy as np
@@ -15,6 +15,22 @@ from .nodes import EMISSION, export_sockets
 
 _NO_LINKS = Links()
 _KINDS = {"POINT", "SUN", "SPOT", "AREA"}
+
+
+# What may change while the shutter is open: keywords of the core's `add_light`.
+LampPose = dict[str, object]
+
+
+def lamp_pose(light: bpy.types.Light, world_from_object: Matrix) -> LampPose:
+    return {
+        "world_from_light": np.array(world_from_object),
+        "color": tuple(_color_times_energy(light, world_from_object.to_scale())),
+        **_shape(light),
+    }
+
+
+def lamp_differs(pose: LampPose, other: LampPose) -> bool:
+    return any(not np.array_equal(pose[name], other[name]) for name in pose)
 
 
 class LightTable:
@@ -33,7 +49,9 @@ class LightTable:
         hidden_from: tuple[str, ...],
         light_group: str = "",
         links: Links = _NO_LINKS,
+        motion: Sequence[LampPose] = (),
     ) -> None:
+        """`motion`: its poses while the shutter is open; empty for a lamp that keeps still."""
         light = shown.data
         if light.type not in _KINDS:  # such as the hemi lamp, which Collada files still bring
             self._warn(f"Light '{light.name}' is left out: its kind is not one Blender knows")
@@ -48,18 +66,18 @@ class LightTable:
             told["surface"] = self._surface_of(light)
             if told["surface"] is None:  # nothing that shines
                 return
+        if all(np.isfinite(pose["world_from_light"]).all() for pose in motion):
+            told["motion"] = motion
         try:
             self._core_scene.add_light(
                 shown.name,
                 light.type,
-                np.array(world_from_object),
-                tuple(_color_times_energy(light, world_from_object.to_scale())),
+                **lamp_pose(light, world_from_object),
                 casts_shadow=getattr(*compat.shadow_switch(light)),
                 has_own_space=compat.LIGHTS_HAVE_OWN_SPACE,
                 hidden_from=hidden_from,
                 light_group=light_group,
                 **links._asdict(),
-                **_shape(light),
                 **told,
             )
         except ValueError as error:

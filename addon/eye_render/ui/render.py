@@ -154,7 +154,11 @@ class _PassesTab(Tab):
     def draw(self, context):
         column = split_column(self.layout)
         for switch, holder in passes.switches(context.view_layer, self.light):
-            column.prop(holder, switch)
+            row = column.row()
+            row.active = (
+                switch != passes.SWITCHES["Vector"] or not context.scene.render.use_motion_blur
+            )
+            row.prop(holder, switch)
 
 
 class EYE_RENDER_PT_passes_data(_PassesTab, Panel):

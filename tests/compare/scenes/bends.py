@@ -139,6 +139,33 @@ def normal_map_mirrored():
 
 
 @feature()
+def normal_map_on_hexagons():
+    """A normal map in tangent space, on faces of six sides"""
+    tree = new_tree()
+    bend = normal_map("TANGENT")(tree)
+    tree.surface("BsdfDiffuse", {"Color": PAINT, "Roughness": 0.0, "Normal": bend})
+    outdoors()
+    coarse = ball_mesh(segments=14, rings=7)
+    # Both halves of each pair of neighbouring quads in a ring.
+    faces = [list(face.vertices) for face in coarse.polygons]
+    uvs = [[tuple(coarse.uv_layers[0].data[i].uv) for i in face.loop_indices]
+           for face in coarse.polygons]  # fmt: skip
+    joined, joined_uvs = [], []
+    for i in range(0, len(faces), 2):
+        for kept, both in ((joined, faces), (joined_uvs, uvs)):
+            first, second = both[i], both[i + 1]
+            is_quad = len(faces[i]) == 4
+            pair = [*first[:2], *second[1:3], *first[2:]] if is_quad else None
+            kept += [pair] if pair else [first, second]
+    mesh = bpy.data.meshes.new("Hexagons")
+    mesh.from_pydata([vertex.co for vertex in coarse.vertices], [], joined)
+    flat = np.array([uv for face in joined_uvs for uv in face], np.float32)
+    mesh.uv_layers.new(name="UVMap").data.foreach_set("uv", flat.ravel())
+    mesh.polygons.foreach_set("use_smooth", np.ones(len(joined), bool))
+    add(dressed(mesh, tree.datablock), BALL_CENTRE)
+
+
+@feature()
 def tangent_mirrored():
     """The tangent of a UV map, on few faces, across a seam and a mirror"""
     tree = new_tree()

@@ -3,36 +3,25 @@
 import math
 
 import bpy
+from animation import moved
 from features import feature
 from stage import (
+    BALL_CENTRE,
     add,
     ball,
+    ball_mesh,
+    camera,
     diffuse,
     dressed,
+    floor,
+    glow,
+    grid_mesh,
     outdoors,
+    world,
 )
 from tools.meshes import cube_mesh
 
 PAINT = (0.6, 0.45, 0.3)
-
-
-def moved(owner: bpy.types.bpy_struct, path: str, before, after) -> None:
-    """Linear between frames 0 and 2, with the picture at frame 1 blurred over one frame."""
-    for frame, value in ((0, before), (2, after)):
-        setattr(owner, path, value)
-        owner.keyframe_insert(path, frame=frame)
-    for curve in curves_of(owner.id_data.animation_data.action):
-        for key in curve.keyframe_points:
-            key.interpolation = "LINEAR"
-    scene = bpy.context.scene
-    scene.frame_set(1)
-    scene.render.use_motion_blur, scene.render.motion_blur_shutter = True, 1.0
-
-
-def curves_of(action: bpy.types.Action):
-    if hasattr(action, "fcurves"):
-        return action.fcurves
-    return action.layers[0].strips[0].channelbags[0].fcurves  # from Blender 5.0
 
 
 @feature(samples=512)
@@ -69,3 +58,36 @@ def of_deformation():
 def _cube() -> bpy.types.Object:
     outdoors()
     return add(dressed(cube_mesh(1.2), diffuse(PAINT)), (0, 0, 0.6))
+
+
+@feature(samples=512)
+def of_shining_mesh():
+    """A shining sheet that moves over a ball by night, and is not seen itself"""
+    camera()
+    floor()
+    world((0.02, 0.02, 0.03))
+    add(dressed(ball_mesh(), diffuse(PAINT)), BALL_CENTRE)
+    sheet = add(dressed(grid_mesh(1, 1, (0.5, 0.5)), glow((1.0, 0.9, 0.8), 15.0)))
+    sheet.visible_camera = False
+    moved(sheet, "location", (-2.0, -0.5, 2.4), (2.0, -0.5, 2.4))
+
+
+@feature(samples=512)
+def shutter_curve():
+    """A shutter that opens at once and closes slowly"""
+    moved(ball(diffuse(PAINT)), "location", (-0.9, 0, 0.9), (0.9, 0, 0.9))
+    curve = bpy.context.scene.render.motion_blur_shutter_curve
+    curve.initialize()
+    for point, place in zip(curve.curves[0].points, ((0.0, 1.0), (1.0, 0.0)), strict=False):
+        point.location = place
+        point.handle_type = "VECTOR"
+    curve.update()
+
+
+@feature(samples=512)
+def shutter_from_the_frame():
+    """A shutter that opens when the frame begins"""
+    moved(ball(diffuse(PAINT)), "location", (-0.9, 0, 0.9), (0.9, 0, 0.9))
+    scene = bpy.context.scene
+    owner = scene.render if hasattr(scene.render, "motion_blur_position") else scene.cycles
+    owner.motion_blur_position = "START"

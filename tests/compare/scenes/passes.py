@@ -1,6 +1,7 @@
 """Passes, each as the compositor hands it on: what is seen is the pass."""
 
 import bpy
+from animation import animated
 from features import feature
 from stage import (
     add,
@@ -34,6 +35,13 @@ def still_life() -> None:
     add(dressed(ball_mesh(0.2), glow), (-0.5, -1.0, 0.2))
 
 
+def still_life_in_clear_pixels() -> None:
+    """For light that is divided by the surfaces' colour: of a surface that a few samples of a
+    pixel meet, at the filter's far end, the quotient would be noise."""
+    still_life()
+    bpy.context.scene.cycles.pixel_filter_type = "BOX"
+
+
 QUOTIENT = "a quotient, at edges of little by little"
 BEFORE_4 = "before Blender 4.0 Principled splits its light otherwise"
 
@@ -57,17 +65,17 @@ PASSES = {
                          {"view": "SIGNED"}),
     "diffuse_direct": ("Direct diffuse light", "use_pass_diffuse_direct",
                        ("Diffuse Direct", "DiffDir"),
-                       {"samples": 512, "differs": QUOTIENT}),
+                       {"samples": 512}),
     "diffuse_indirect": ("Indirect diffuse light", "use_pass_diffuse_indirect",
                          ("Diffuse Indirect", "DiffInd"),
-                         {"samples": 512, "differs": QUOTIENT}),
+                         {"samples": 512}),
     "diffuse_color": ("Diffuse colour", "use_pass_diffuse_color",
                       ("Diffuse Color", "DiffCol"), {}),
     "glossy_direct": ("Direct glossy light", "use_pass_glossy_direct",
                       ("Glossy Direct", "GlossDir"), {}),
     "glossy_indirect": ("Indirect glossy light", "use_pass_glossy_indirect",
                         ("Glossy Indirect", "GlossInd"),
-                        {"samples": 512, "differs": QUOTIENT}),
+                        {"samples": 512}),
     "glossy_color": ("Glossy colour", "use_pass_glossy_color", ("Glossy Color", "GlossCol"),
                      {"before_4": BEFORE_4}),
     "transmission_direct": ("Direct light through glass", "use_pass_transmission_direct",
@@ -85,7 +93,10 @@ PASSES = {
 }  # fmt: skip
 
 for _name, (_about, _switch, _sockets, _more) in PASSES.items():
-    feature(_name, _about, shows_pass=(_switch, *_sockets), bounces=4, **_more)(still_life)
+    _build = (
+        still_life_in_clear_pixels if "_direct" in _name or "_indirect" in _name else still_life
+    )
+    feature(_name, _about, shows_pass=(_switch, *_sockets), bounces=4, **_more)(_build)
 
 
 @feature(shows_pass=("use_pass_mist", "Mist"))
@@ -147,3 +158,34 @@ def shadow_catcher_unlit():
     sun().data.color = (1.0, 0.0, 0.0)
     add(dressed(ball_mesh(0.6), diffuse((0.7, 0.7, 0.7))), (0.0, 0.0, 0.6))
     bpy.data.objects["Floor"].is_shadow_catcher = True
+
+
+@feature(
+    shows_pass=("use_pass_vector", "Vector"),
+    view="MOTION",
+    differs="at edges what lies on the middle ray, as in Depth, where Cycles has a mean",
+)
+def vector():
+    """How things move in the picture: a turning cube, a ball that grows, and the camera"""
+    still_life()
+    scene = bpy.context.scene
+    cube = next(shown for shown in scene.objects if shown.pass_index == 3)
+    animated(cube, "rotation_euler", (0, 0, -0.1), (0, 0, 1.1))
+    shiny = next(shown for shown in scene.objects if shown.pass_index == 7)
+    shiny.shape_key_add(name="Basis")
+    wide = shiny.shape_key_add(name="Wide")
+    for vertex, point in zip(shiny.data.vertices, wide.data, strict=True):
+        point.co = vertex.co * 1.5
+    animated(wide, "value", -0.4, 0.4)
+    animated(scene.camera, "location", (0.3, -6.0, 2.1), (-0.3, -6.0, 2.3))
+
+
+@feature(shows_pass=(None, "Combined_fire"), bounces=4)
+def light_group_of_a_volume():
+    """The light of a glowing gas"""
+    still_life()
+    bpy.context.scene.view_layers[0].lightgroups.add(name="fire")
+    tree = new_tree()
+    gas = tree.node("Emission", {"Color": (0.9, 0.4, 0.1), "Strength": 2.0})
+    tree.set(tree.output, "Volume", gas)
+    add(dressed(ball_mesh(0.5), tree.datablock), (0.2, -1.4, 0.6)).lightgroup = "fire"
