@@ -38,7 +38,8 @@ void add_instances(SceneBuilder& scene,
                    int blocker_set,
                    int light_class,
                    std::uint32_t blocker_sets,
-                   const std::optional<Array<double>>& motion)
+                   const std::optional<Array<double>>& motion,
+                   float terminator_cosine)
 {
     const LightLinks links = links_from(lit_classes, blocker_set);
     require_range("light_class", light_class, 0, max_light_classes - 1, "");
@@ -94,6 +95,7 @@ void add_instances(SceneBuilder& scene,
                             .visibility = visibility,
                             .is_holdout = is_holdout,
                             .is_shadow_catcher = is_shadow_catcher,
+                            .terminator_cosine = terminator_cosine,
                             .matte = {.object = matte_id(name), .asset = matte_id(asset)},
                             .light_group = group,
                             .links = links,
@@ -115,6 +117,7 @@ void bind_instances(SceneClass& scene)
         "attributes"_a = py::dict(), "is_shadow_catcher"_a = false, "name"_a = "", "asset"_a = "",
         "light_group"_a = "", "lit_classes"_a = LightLinks{}.lit_classes, "blocker_set"_a = 0,
         "light_class"_a = 0, "blocker_sets"_a = 0, "motion"_a = py::none(),
+        "terminator_cosine"_a = 0.0f,
         "Places a geometry at each of the matrices (n, 4, 4), one material a slot. For the\n"
         "Object Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
         "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, VOLUME_SCATTER, SHADOW rays; a "
@@ -130,7 +133,10 @@ void bind_instances(SceneClass& scene)
         "that "
         "it\n"
         "is in; if it shines, the classes (bits) that it lights and the set that blocks its light "
-        "(0: all).");
+        "(0: all).\n"
+        "terminator_cosine: of light that grazes smooth triangles so much, shadow rays start from "
+        "the\n"
+        "round surface.");
 }
 
 }  // namespace eye_render

@@ -347,6 +347,7 @@ class Scene:
         light_class: int = 0,
         blocker_sets: int = 0,
         motion: ArrayLike | None = None,
+        terminator_cosine: float = 0.0,
     ) -> None: ...
     def add_light(
         self,

@@ -122,6 +122,17 @@ def has_transparent_shadow(material: bpy.types.Material) -> bool:
     return True
 
 
+def terminator_offsets(shown: bpy.types.Object) -> tuple[float, float]:
+    """How far light turns the corner of few smooth faces: of the shading, and of the geometry."""
+    for owner in (shown, cycles_settings.of(shown)):  # Blender's own since 4.4
+        if hasattr(owner, "shadow_terminator_geometry_offset"):
+            shading = getattr(owner, "shadow_terminator_offset", None)  # Cycles' name of it
+            if shading is None:
+                shading = owner.shadow_terminator_shading_offset
+            return shading, owner.shadow_terminator_geometry_offset
+    return 0.0, 0.1
+
+
 def working_space() -> str:
     """The colours that Blender's numbers are: another one only from Blender 5.0."""
     colorspace = getattr(bpy.data, "colorspace", None)

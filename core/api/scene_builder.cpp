@@ -88,6 +88,8 @@ void SceneBuilder::add_instance(InstanceData instance)
     const std::string name = said_name(data_.geometries[instance.geometry]);
     require_finite("world_from_object of " + name, instance.world_from_object);
     require_steps("motion of " + name, instance.motion.size());
+    require_range("terminator_cosine of " + name, static_cast<double>(instance.terminator_cosine),
+                  0.0, 1.0, "");
     for (const M44d& place : instance.motion) {
         require_finite("motion of " + name, place);
     }

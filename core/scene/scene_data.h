@@ -41,6 +41,7 @@ struct InstanceData {
     Visibility visibility{};
     bool is_holdout = false;  // cut out of the picture
     bool is_shadow_catcher = false;
+    float terminator_cosine = 0.0f;  // of light that shadow_terminator.h softens; 0 for none
     MatteIds matte{};
     int light_group = no_light_group;
     LightLinks links{};  // of its own light

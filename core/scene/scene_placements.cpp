@@ -156,6 +156,7 @@ void Scene::add_placements()
              .visibility = instance.visibility,
              .is_holdout = instance.is_holdout,
              .is_shadow_catcher = instance.is_shadow_catcher,
+             .terminator_cosine = instance.terminator_cosine,
              .matte = instance.matte,
              .light_group = instance.light_group,
              .links = instance.links,

@@ -41,6 +41,7 @@ struct Placement {
     Visibility visibility;
     bool is_holdout = false;
     bool is_shadow_catcher = false;
+    float terminator_cosine = 0.0f;
     MatteIds matte;
     int light_group = no_light_group;
     LightLinks links;  // of its own light

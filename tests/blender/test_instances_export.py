@@ -346,3 +346,18 @@ def test_what_geometry_nodes_give_to_instances_is_named_as_not_read(scene, depsg
     assert reader.value(instance, tint) == (0.0,) * 4
     (warning,) = warnings
     assert "'tint' of the instances that 'Field' makes" in warning
+
+
+def test_the_shadow_terminators_offsets_are_the_objects(scene, export):
+    shown = add_object(quad_mesh())
+    has_own = hasattr(shown, "shadow_terminator_geometry_offset")  # from Blender 4.4
+    settings = shown if has_own else shown.cycles
+    settings.shadow_terminator_geometry_offset = 0.25
+    exported = export()
+    assert exported.instances[0].terminator_cosine == 0.25
+    assert exported.warnings == []
+    name = "shadow_terminator_shading_offset" if has_own else "shadow_terminator_offset"
+    setattr(settings, name, 0.5)
+    shown.update_tag()
+    (warning,) = export().warnings
+    assert "shading offset" in warning

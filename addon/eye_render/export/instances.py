@@ -8,7 +8,7 @@ import bpy
 import numpy as np
 from mathutils import Matrix
 
-from .. import core, cryptomatte, passes
+from .. import compat, core, cryptomatte, passes
 from .light import LightTable
 from .light_links import LightLinks, Linked, Links
 from .material import MaterialTable
@@ -36,6 +36,7 @@ class _Look(NamedTuple):
     light_group: str = ""
     links: Links = Links()
     linked: Linked = Linked()
+    terminator_cosine: float = 0.0
     # For Cryptomatte, where it is asked for: names keep apart what may be placed together.
     name: str = ""
     asset: str = ""
@@ -121,6 +122,10 @@ class _Collector:
     ) -> list[_Group]:
         """One for each geometry that the object brings."""
         shown, motion = instance.object, self._motion
+        if compat.terminator_offsets(shown)[0] > 0.0:
+            self._warn(
+                f"The shading offset of the shadow terminator of '{shown.name}' is left out"
+            )
         if _is_smoke(shown):
             self._warn(
                 f"Smoke of '{shown.name}' is left out: it varies in space, which is not supported"
@@ -137,7 +142,16 @@ class _Collector:
                 poses = motion.poses(instance, source, steps) if steps else []
                 self.geometries[source.key] = _Geometry(source, poses)
             worn = source.worn(slots)
-            look = _Look(worn, shown.pass_index, visibility, steps, light_group, links, linked)
+            look = _Look(
+                worn,
+                shown.pass_index,
+                visibility,
+                steps,
+                light_group,
+                links,
+                linked,
+                compat.terminator_offsets(shown)[1],
+            )
             if self._has_names:
                 look = self._named(look, shown)
             known = self.geometries[source.key].groups
@@ -248,6 +262,7 @@ def _add_group(
                 light_group=group.look.light_group,
                 **group.look.links._asdict(),
                 **group.look.linked._asdict(),
+                terminator_cosine=group.look.terminator_cosine,
                 name=group.look.name,
                 asset=group.look.asset,
                 **group.told(chosen),

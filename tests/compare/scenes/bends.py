@@ -208,6 +208,26 @@ def flat_shading():
     add(mesh, BALL_CENTRE)
 
 
+def few_faces(geometry_offset: float) -> None:
+    """A ball of few smooth faces, with what its object says of where light turns the corner."""
+    outdoors()
+    shown = add(dressed(ball_mesh(segments=16, rings=8), diffuse(PAINT)), BALL_CENTRE)
+    has_own = hasattr(shown, "shadow_terminator_geometry_offset")  # from Blender 4.4
+    (shown if has_own else shown.cycles).shadow_terminator_geometry_offset = geometry_offset
+
+
+@feature()
+def terminator_as_it_is():
+    """A ball of few smooth faces, whose edges throw shadows where light turns the corner"""
+    few_faces(0.0)
+
+
+@feature()
+def terminator_of_geometry():
+    """A ball of few smooth faces, whose shadow rays start from the round surface"""
+    few_faces(0.5)
+
+
 @feature()
 def coarse_smooth():
     """A ball of few smooth faces, where light turns the corner"""
