@@ -159,7 +159,8 @@ void Scene::look_around_eye()
             return;
         }
         for (std::uint32_t t = 0; t < placement.mesh()->triangles.size(); ++t) {
-            distance = std::min(distance, least_distance(corners_world({&placement, t})));
+            distance =
+                std::min(distance, least_distance(corners_world({&placement, t}, shutter_middle)));
         }
     }
     media_at_eye_ = media_at(V3f(0.0f));
