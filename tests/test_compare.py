@@ -25,10 +25,12 @@ from verdict import difference_of, row_of  # noqa: E402
 
 SAMPLES = 48  # per pixel; a quick picture is told from its noise by blocks of pixels
 SEED = 7
-# Clamped light, and quotients: what few samples give is not what many do, in the mean. These are
-# rendered with samples of their own.
+# Clamped light, and quotients: what few samples give is not what many do, in the mean. And light
+# below a surface as Burley spreads it: rare and bright, so that few samples hide their own noise.
+# These are rendered with samples of their own.
 OWN_SAMPLES = ["film/clamp_direct", "passes/diffuse_direct", "passes/diffuse_indirect",
-               "passes/glossy_indirect", "passes/shadow_catcher"]  # fmt: skip
+               "passes/glossy_direct", "passes/glossy_indirect", "passes/shadow_catcher",
+               "principled/subsurface_burley"]  # fmt: skip
 
 STORED = sorted(path.stem for path in references.FOLDER.glob("*.npz"))
 NOISE = np.random.default_rng(3)
