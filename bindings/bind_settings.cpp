@@ -69,6 +69,7 @@ std::map<std::string, std::string> aov_kinds(const RenderSettings& settings)
 void set_aovs(RenderSettings& settings, const std::map<std::string, std::string>& kinds)
 {
     std::vector<PassRequest> aovs;
+    aovs.reserve(kinds.size());
     for (const auto& [name, kind] : kinds) {
         aovs.emplace_back(named<Pass>("kind of AOV '" + name + "'", kind,
                                       {{"VALUE", Pass::AovValue}, {"COLOR", Pass::AovColor}}),
@@ -113,7 +114,7 @@ void bind_limits(py::module_& m)
     py::class_<Limits>(m, "LightPathLimits",
                        "What is left out of the paths of light; by default nothing.")
         .def(py::init([](const py::kwargs& given) {
-                 const Limits limits = options_from<Limits>(given);
+                 const auto limits = options_from<Limits>(given);
                  require_valid(limits);
                  return limits;
              }),
