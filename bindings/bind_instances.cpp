@@ -1,6 +1,5 @@
 // eyecore.Scene: where geometry stands, and what it wears there.
 
-#include "base/error.h"
 #include "bind_scene.h"
 
 #include <map>
@@ -42,8 +41,6 @@ void add_instances(SceneBuilder& scene,
                    float terminator_cosine)
 {
     const LightLinks links = links_from(lit_classes, blocker_set);
-    require_range("light_class", light_class, 0, max_light_classes - 1, "");
-    require_range("blocker_sets", blocker_sets, 0, (1u << max_blocker_sets) - 1u, "");
     if (world_from_object.ndim() != 3 || world_from_object.shape(1) != 4 ||
         world_from_object.shape(2) != 4) {
         throw std::invalid_argument("world_from_object has shape " +

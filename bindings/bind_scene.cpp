@@ -2,8 +2,6 @@
 
 #include "bind_scene.h"
 
-#include "base/error.h"
-
 #include <cmath>
 #include <optional>
 
@@ -74,7 +72,6 @@ Visibility visibility_from(const std::vector<std::string>& hidden_from)
 
 LightLinks links_from(std::uint64_t lit_classes, int blocker_set)
 {
-    require_range("blocker_set", blocker_set, 0, max_blocker_sets, "");
     return {.lit_classes = lit_classes, .blocker_set = blocker_set};
 }
 

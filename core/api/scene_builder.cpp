@@ -87,6 +87,8 @@ void SceneBuilder::add_instance(InstanceData instance)
     require_index("geometry", instance.geometry, data_.geometries.size());
     const std::string name = said_name(data_.geometries[instance.geometry]);
     require_finite("world_from_object of " + name, instance.world_from_object);
+    require_valid(instance.links);
+    require_valid(instance.linked);
     require_steps("motion of " + name, instance.motion.size());
     require_range("terminator_cosine of " + name, static_cast<double>(instance.terminator_cosine),
                   0.0, 1.0, "");
@@ -126,7 +128,8 @@ void SceneBuilder::add_lamp(LampData lamp,
         }
     }
     try {
-        require_valid({lamp.settings, lamp.world_from_light});
+        require_valid(lamp.links);
+        require_valid(LampPose{lamp.settings, lamp.world_from_light});
         require_steps("the motion", lamp.motion.size());
         for (const LampPose& pose : lamp.motion) {
             require_valid(pose);

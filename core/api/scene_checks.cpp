@@ -1,5 +1,7 @@
 #include "api/scene_checks.h"
 
+#include "base/error.h"
+
 #include <cmath>
 #include <stdexcept>
 
@@ -27,6 +29,17 @@ void require_valid(const LampPose& pose)
 {
     require_finite("world_from_light", pose.world_from_light);
     static_cast<void>(make_lamp(pose.settings));  // for its checks
+}
+
+void require_valid(const LightLinks& links)
+{
+    require_range("blocker_set", links.blocker_set, 0, max_blocker_sets, "");
+}
+
+void require_valid(const LinkedObject& linked)
+{
+    require_range("light_class", linked.light_class, 0, max_light_classes - 1, "");
+    require_range("blocker_sets", linked.blocker_sets, 0, (1u << max_blocker_sets) - 1u, "");
 }
 
 }  // namespace eye_render

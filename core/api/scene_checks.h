@@ -13,5 +13,7 @@ void require_finite(const std::string& what, const M44d& matrix);
 // Of a motion: none, or at least two.
 void require_steps(const std::string& what, std::size_t steps);
 void require_valid(const LampPose& pose);
+void require_valid(const LightLinks& links);
+void require_valid(const LinkedObject& linked);
 
 }  // namespace eye_render
