@@ -100,6 +100,16 @@ TEST(ProceduralNodes, rounding_at_zero_does_not_change_a_checkers_color)
     EXPECT_EQ(above, below);
 }
 
+TEST(ProceduralNodes, bricks_without_width_have_joints_between_their_rows_alone)
+{
+    NodeTrial brick(texture_node("TEX_BRICK"), {{"squash", 0.0}, {"squash_frequency", 1.0}});
+    brick.set("Scale", 1.0f).set("Mortar Size", 0.02f).set("Row Height", 0.25f);
+    for (const float x : {-3.3f, 0.01f, 0.7f}) {
+        EXPECT_EQ(brick.set("Vector", {x, 0.125f, 0.0f})("Fac").x, 0.0f) << x;
+        EXPECT_GT(brick.set("Vector", {x, 0.251f, 0.0f})("Fac").x, 0.9f) << x;
+    }
+}
+
 TEST(ProceduralNodes, magic_repeats_every_turn_of_its_unscaled_coordinates)
 {
     NodeTrial magic(texture_node("TEX_MAGIC"), {{"turbulence_depth", 5.0}});

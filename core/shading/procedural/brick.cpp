@@ -36,12 +36,15 @@ BrickAnswer brick_texture(const V3f& p, const Brick& brick)
     const float width =
         brick.brick_width * (row % brick.squash_frequency != 0 ? 1.0f : brick.squash);
     const float shift = row % brick.offset_frequency != 0 ? 0.0f : width * brick.offset;
-    const int column = floor_to_int((p.x + shift) / width);
-
-    const float x = (p.x + shift) - width * static_cast<float>(column);
     const float y = p.y - brick.row_height * static_cast<float>(row);
-    const float edge_distance =
-        std::min(std::min(x, y), std::min(width - x, brick.row_height - y));
+    float edge_distance = std::min(y, brick.row_height - y);
+    int column = 0;
+    // A row of bricks without width has no joints across, as in Cycles.
+    if (width != 0.0f) {
+        column = floor_to_int((p.x + shift) / width);
+        const float x = (p.x + shift) - width * static_cast<float>(column);
+        edge_distance = std::min(std::min(x, width - x), edge_distance);
+    }
     const std::uint32_t number =
         (static_cast<std::uint32_t>(row) << 16) + (static_cast<std::uint32_t>(column) & 0xffffu);
     return {unit_range(random_tint(number) + brick.bias), mortar_at(edge_distance, brick)};

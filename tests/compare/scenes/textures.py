@@ -248,6 +248,14 @@ def brick():
 
 
 @feature()
+def brick_squashed_to_nothing():
+    """Bricks, every third row squashed to no width"""
+    inputs = {"Scale": 2.0, "Mortar Size": 0.05, "Mortar Smooth": 0.3}
+    inputs |= {"Color1": (0.8, 0.3, 0.2), "Color2": (0.4, 0.1, 0.1), "Mortar": (0.6, 0.6, 0.5)}
+    wall(texture("TexBrick", inputs, squash=0.0, squash_frequency=3))
+
+
+@feature()
 def gradient():
     """All seven gradients"""
 
