@@ -115,25 +115,19 @@ void bind_instances(SceneClass& scene)
         "light_group"_a = "", "lit_classes"_a = LightLinks{}.lit_classes, "blocker_set"_a = 0,
         "light_class"_a = 0, "blocker_sets"_a = 0, "motion"_a = py::none(),
         "terminator_cosine"_a = 0.0f,
-        "Places a geometry at each of the matrices (n, 4, 4), one material a slot. For the\n"
-        "Object Info node: colours (n, 4), pass index, and a random number (n,) in [0, 1).\n"
-        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, VOLUME_SCATTER, SHADOW rays; a "
-        "holdout is "
-        "cut out\n"
-        "of the picture. attributes (n, 4), of objects, where the geometry has none of the name.\n"
-        "Of a shadow catcher only what objects change is seen. name, asset: for Cryptomatte, of "
-        "the\n"
-        "object and of what it is part of. motion: the matrices (n, steps, 4, 4) at equally "
-        "spaced times from\n"
-        "the shutter's opening to its close; world_from_object is that half way.\n"
-        "For light linking: the class of the object, and bit n - 1 for each set n of blockers "
-        "that "
-        "it\n"
-        "is in; if it shines, the classes (bits) that it lights and the set that blocks its light "
-        "(0: all).\n"
-        "terminator_cosine: of light that grazes smooth triangles so much, shadow rays start from "
-        "the\n"
-        "round surface.");
+        "Places a geometry at each of the matrices (n, 4, 4), one material a slot.\n\n"
+        "For the Object Info node: colors (n, 4), pass_index, and randoms (n,) in [0, 1).\n"
+        "hidden_from: CAMERA, DIFFUSE, GLOSSY, TRANSMISSION, VOLUME_SCATTER, SHADOW rays.\n"
+        "A holdout is cut out of the picture; of a shadow catcher only what objects change is\n"
+        "seen. attributes (n, 4): of the objects, where the geometry has none of the name.\n"
+        "name, asset: for Cryptomatte, of the object and of what it is part of.\n"
+        "motion: the matrices (n, steps, 4, 4) at equally spaced times from the shutter's\n"
+        "opening to its close; world_from_object is that half way.\n"
+        "For light linking: the class of the object, and bit n - 1 for each set n of blockers\n"
+        "that it is in; if it shines, the classes (bits) that it lights and the set that blocks\n"
+        "its light (0: all). terminator_cosine: of light that grazes smooth triangles so much,\n"
+        "shadow rays start from the round surface.\n\n"
+        "Raises ValueError for an array of another shape, and for what the scene lacks.");
 }
 
 }  // namespace eye_render

@@ -29,16 +29,22 @@ py::dict snapshot(Engine& engine)
     return result;
 }
 
+std::unique_ptr<Engine> make_engine(const std::shared_ptr<SceneBuilder>& scene,
+                                    const Observer& observer,
+                                    const RenderSettings& settings)
+{
+    // Before other Python threads run, which might be about to change the scene.
+    const auto lease = scene->lease();
+    const py::gil_scoped_release release;
+    return std::make_unique<Engine>(scene, observer, settings);
+}
+
 py::dict render(const std::shared_ptr<SceneBuilder>& scene,
                 const Observer& observer,
                 const RenderSettings& settings)
 {
-    std::unique_ptr<Engine> engine;
-    {
-        const py::gil_scoped_release release;
-        engine = std::make_unique<Engine>(scene, observer, settings);
-        engine->session().start();
-    }
+    const std::unique_ptr<Engine> engine = make_engine(scene, observer, settings);
+    engine->session().start();
     // In short waits, so that Ctrl-C ends the render as it ends any Python program.
     for (bool ended = false; !ended;) {
         {
@@ -67,14 +73,14 @@ void bind_render(py::module_& m)
     using namespace py::literals;
 
     py::class_<Engine>(m, "Session", "One render: start, wait, look, cancel.")
-        .def(py::init([](const std::shared_ptr<SceneBuilder>& scene, const Observer& observer,
-                         const RenderSettings& settings) {
-                 const py::gil_scoped_release release;
-                 return std::make_unique<Engine>(scene, observer, settings);
-             }),
-             "scene"_a, "observer"_a, "settings"_a, "Checks, plans and builds; starts nothing.")
-        .def("start", [](Engine& engine) { engine.session().start(); })
-        .def("cancel", [](Engine& engine) { engine.session().cancel(); })
+        .def(py::init(&make_engine), "scene"_a, "observer"_a, "settings"_a,
+             "Checks, plans and builds; starts nothing.")
+        .def(
+            "start", [](Engine& engine) { engine.session().start(); },
+            "Renders in the background; once, a second call does nothing.")
+        .def(
+            "cancel", [](Engine& engine) { engine.session().cancel(); },
+            "Asks the render to end: it does within a pixel's samples.")
         .def(
             "wait",
             [](Engine& engine, double timeout_s) {
@@ -88,14 +94,16 @@ void bind_render(py::module_& m)
                     std::chrono::duration<double>(std::min(timeout_s, a_year_s)));
             },
             "timeout_s"_a, py::call_guard<py::gil_scoped_release>(),
-            "True when the render has ended.")
+            "Waits until the render has ended, at most timeout_s seconds; True if it has.")
         .def("snapshot", &snapshot, "{pass: float32 (height, width, channels)}, rows bottom-up.")
-        .def_property_readonly("samples_done",
-                               [](Engine& engine) { return engine.session().samples_done(); })
+        .def_property_readonly(
+            "samples_done", [](Engine& engine) { return engine.session().samples_done(); },
+            "Samples that every pixel has.")
         .def_property_readonly("samples_total",
                                [](Engine& engine) { return engine.session().samples_total(); })
-        .def_property_readonly("progress",
-                               [](Engine& engine) { return engine.session().progress(); })
+        .def_property_readonly(
+            "progress", [](Engine& engine) { return engine.session().progress(); },
+            "0 to 1: samples_done of samples_total.")
         .def_property_readonly(
             "ray_fates",
             [](Engine& engine) {
@@ -108,20 +116,28 @@ void bind_render(py::module_& m)
             },
             "Rays so far by what became of them in the eye: transmitted, vignetted, missed,\n"
             "total_reflection.")
-        .def_property_readonly("error", [](Engine& engine) { return engine.session().error(); })
-        .def_property_readonly("plan_text",
-                               [](const Engine& engine) { return engine.plan().text(); })
-        .def_property_readonly("warnings", &Engine::warnings)
+        .def_property_readonly(
+            "error", [](Engine& engine) { return engine.session().error(); },
+            "What went wrong while it ran; None if all went well.")
+        .def_property_readonly(
+            "plan_text", [](const Engine& engine) { return engine.plan().text(); },
+            "What this scene, seen by this eye, needs: a fact a line.")
+        .def_property_readonly("warnings", &Engine::warnings,
+                               "What the picture does not show as asked.")
         .def_property_readonly("facts", &Engine::facts,
                                "What is known about the picture's making, numbers as numbers.")
         .def_property_readonly("metadata", &Engine::metadata, "The facts as texts, for files.")
-        .def_property_readonly("pupil_mm",
-                               [](const Engine& engine) { return engine.eye().pupil_mm; })
-        .def_property_readonly("luminance_cd_m2",
-                               [](const Engine& engine) { return engine.eye().luminance_cd_m2; })
-        .def_property_readonly("pupil_report", &Engine::pupil_report)
-        .def_property_readonly("accommodation_d",
-                               [](const Engine& engine) { return engine.eye().accommodation_d; });
+        .def_property_readonly(
+            "pupil_mm", [](const Engine& engine) { return engine.eye().pupil_mm; },
+            "Diameter of the entrance pupil.")
+        .def_property_readonly(
+            "luminance_cd_m2", [](const Engine& engine) { return engine.eye().luminance_cd_m2; },
+            "Of the field that set the pupil.")
+        .def_property_readonly("pupil_report", &Engine::pupil_report,
+                               "How the pupil was found, for people.")
+        .def_property_readonly(
+            "accommodation_d", [](const Engine& engine) { return engine.eye().accommodation_d; },
+            "Of the eye, dioptres.");
 
     m.def("render", &render, "scene"_a, "observer"_a, "settings"_a,
           "Renders to the end; {pass: float32 (height, width, channels)}, rows bottom-up. What\n"

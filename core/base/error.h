@@ -2,6 +2,9 @@
 
 #pragma once
 
+#include <cmath>
+#include <iomanip>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -9,11 +12,17 @@
 
 namespace eye_render {
 
-// The shortest usual form: 190, -2.5, 1e+07, nan.
-[[nodiscard]] inline std::string number_text(double value)
+inline constexpr int usual_digits = 6;
+
+// Whole numbers below a thousand million in full, others rounded: 190, 16777216, -2.5, 1e+12, nan.
+[[nodiscard]] inline std::string number_text(double value, int digits = usual_digits)
 {
     std::ostringstream text;
-    text << value;
+    if (std::abs(value) < 1e9 && value == std::trunc(value)) {
+        text << std::fixed << std::setprecision(0) << value;
+    } else {
+        text << std::setprecision(digits) << value;
+    }
     return text.str();
 }
 
@@ -28,10 +37,17 @@ inline void require_range(std::string_view name,
     if (value >= minimum && value <= maximum) {
         return;
     }
+    // As many digits as tell the value from the bound that it is beyond.
+    int digits = usual_digits;
+    while (digits < std::numeric_limits<double>::max_digits10 &&
+           (number_text(value, digits) == number_text(minimum, digits) ||
+            number_text(value, digits) == number_text(maximum, digits))) {
+        ++digits;
+    }
     const std::string tail = unit.empty() ? std::string() : std::string(" ").append(unit);
-    throw std::invalid_argument(std::string(name) + " is " + number_text(value) + tail +
-                                "; expected " + number_text(minimum) + " to " +
-                                number_text(maximum) + tail);
+    throw std::invalid_argument(std::string(name) + " is " + number_text(value, digits) + tail +
+                                "; expected " + number_text(minimum, digits) + " to " +
+                                number_text(maximum, digits) + tail);
 }
 
 }  // namespace eye_render

@@ -1,6 +1,7 @@
 #include "render/integrator.h"
 
 #include "base/magnitude.h"
+#include "render/aimed_light.h"
 #include "render/multiple_importance.h"
 #include "render/path_walk.h"
 #include "render/shadow.h"
@@ -157,7 +158,9 @@ private:
                 const Color3f left = media_.in_medium()
                                          ? media_.mixture().transmittance(lamp.t - travelled_)
                                          : Color3f(1.0f);
-                light_.add(throughput_ * left * lamp.radiance * last_->weight_against(lamp.pdf),
+                const float light_pdf =
+                    last_->is_delta ? 0.0f : scene_.lamp_pdf(lamp, last_->point);
+                light_.add(throughput_ * left * lamp.radiance * last_->weight_against(light_pdf),
                            lamp.origin, path_.depth);
             });
     }
@@ -204,15 +207,12 @@ private:
         if (bsdf.is_delta_only()) {
             return;
         }
-        const auto u = sequence_.next();
         // Where light passes through, lamps on both sides count.
         const V3f lit_side = bsdf.transmits() ? V3f(0.0f) : hit.point.ng;
         scene_.weigh_lights(hit.p_world, lit_side, last_.next_point());
-        // A float's 24 bits are too few to choose among many lights.
-        const double choice = u[2] + 0x1p-24 * static_cast<double>(u[3]);
-        const auto light = scene_.sample_light(last_.next_point(), choice, V2f(u[0], u[1]));
-        if (!light || !light->links.lights(hit.placement->light_class) ||
-            (path_.sees_catchers_only && !light->is_of_catcher)) {
+        const auto light = aim_at_light(scene_, last_.next_point(), path_,
+                                        hit.placement->light_class, sequence_.next());
+        if (!light) {
             return;
         }
         BsdfValue scattered = bsdf.evaluate(light->wi);

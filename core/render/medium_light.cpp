@@ -1,6 +1,7 @@
 #include "render/medium_light.h"
 
 #include "base/magnitude.h"
+#include "render/aimed_light.h"
 #include "render/free_flight.h"
 #include "render/multiple_importance.h"
 
@@ -15,9 +16,6 @@ struct Place {
     float distance = 0.0f;
     float pdf = 0.0f;
 };
-
-// A float's 24 bits are too few to choose among many lights.
-[[nodiscard]] double fine(float u, float more) { return u + 0x1p-24 * static_cast<double>(more); }
 
 // Where on the segment light shall be scattered: half of the places go by how much light flies
 // on from there, half by how near a lamp is.
@@ -34,7 +32,7 @@ struct Place {
     // The lamp must not hang on the place, so it is chosen for one that is no sample.
     const float typical = std::min(0.5f * segment.length, 1.0f / max_component(medium.extinction));
     scene.weigh_lights(segment.origin + segment.direction * typical, V3f(0.0f), point);
-    const auto lamp = scene.light_center(point, fine(u[0], u[1]));
+    const auto lamp = scene.light_center(point, light_choice(u[0], u[1]));
     if (!lamp) {
         const float distance = flight.sample_within(v[0], v[1]);
         return {distance, flight.pdf_within(distance)};
@@ -65,10 +63,8 @@ ScatteredLight sample_scattered_light(const Scene& scene,
     }
     const V3f p_world = segment.origin + segment.direction * place.distance;
     scene.weigh_lights(p_world, V3f(0.0f), point);
-    const auto u = sequence.next();
-    const auto light = scene.sample_light(point, fine(u[2], u[3]), V2f(u[0], u[1]));
-    if (!light || !light->visibility.to_volume_scatter || !light->links.lights(0) ||
-        (path.sees_catchers_only && !light->is_of_catcher)) {
+    const auto light = aim_at_light(scene, point, path, light_class_of_media, sequence.next());
+    if (!light || !light->visibility.to_volume_scatter) {
         return {};
     }
     const float turned = one_minus_cosine(segment.direction, light->wi);

@@ -39,7 +39,7 @@ bool PathWalk::fly(Ray& ray, std::optional<float> t_surface)
         light_.scatter_first(shares_of_medium);
     }
     note_medium_scattering(path_, pdf);
-    light_class_ = 0;
+    light_class_ = light_class_of_media;
     shows_film_ = false;
     length_ += (p_world - ray.origin).length();
     scene_.weigh_lights(p_world, V3f(0.0f), last_.next_point());

@@ -56,7 +56,7 @@ CameraRay ray_at(const RenderJob& job,
                  const V2d& pupil_point_m,
                  double wavelength_nm)
 {
-    std::optional<CameraFrame> moved;
+    Room<CameraFrame> moved;
     if (job.camera_motion && job.moves) {
         moved = job.camera_motion->at(time);
     }

@@ -7,6 +7,8 @@
 #include "scene/light_origin.h"
 #include "scene/visibility.h"
 
+#include <cstdint>
+
 namespace eye_render {
 
 // Light that arrives at a point, before anything stands in its way.
@@ -30,7 +32,8 @@ struct IncomingLight {
 struct LampContribution {
     float t = 0.0f;  // from the point
     Color3f radiance;
-    float pdf = 0.0f;
+    float pdf = 0.0f;        // of sampling this direction once the lamp is chosen
+    std::uint32_t lamp = 0;  // its number
     LightLinks links;
     LightOrigin origin;
 };

@@ -60,18 +60,18 @@ void check(const LampSettings& settings)
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 3; ++j) {
             require_range("world_from_light", settings.world_from_light[i][j], -largest, largest,
-                          "");
+                          "units");
         }
     }
     for (int i = 0; i < 3; ++i) {
         require_range("color", settings.color[i], -largest, largest, "W");
     }
-    require_range("radius", settings.radius, 0.0, largest, "");
+    require_range("radius", settings.radius, 0.0, largest, "units");
     require_range("angle_rad", settings.angle_rad, 0.0, straight_angle_rad, "rad");
     require_range("spot_angle_rad", settings.spot_angle_rad, 0.0, straight_angle_rad, "rad");
     require_range("spot_blend", settings.spot_blend, 0.0, 1.0, "");
-    require_range("size_x", settings.size_x, 0.0, largest, "");
-    require_range("size_y", settings.size_y, 0.0, largest, "");
+    require_range("size_x", settings.size_x, 0.0, largest, "units");
+    require_range("size_y", settings.size_y, 0.0, largest, "units");
     require_range("spread_rad", settings.spread_rad, 0.0, straight_angle_rad, "rad");
 }
 

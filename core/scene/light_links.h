@@ -28,7 +28,10 @@ struct LightLinks {
     }
 };
 
-// Of an object. What is no object, such as a place in the world's medium, is of class 0.
+// Of what is no object, such as a place in a medium.
+inline constexpr int light_class_of_media = 0;
+
+// Of an object.
 struct LinkedObject {
     int light_class = 0;
     std::uint32_t blocker_sets = 0;  // bit n - 1: it is in set n

@@ -36,14 +36,17 @@ struct LightChoice {
 // A point that is to be lit, and how much of the choice each cluster has there.
 class LitPoint {
 public:
-    V3f p_world{0.0f};
+    // Nowhere, and not to be asked before it is weighed: to clear it took 80 instructions a path.
+    LitPoint() {}
+
+    V3f p_world;
     float time = shutter_middle;  // at which lights that move are looked at
 
 private:
     friend class LightSampler;
 
     static constexpr std::size_t max_clusters = 64;
-    std::array<float, max_clusters> probabilities_{};  // the first as many as there are clusters
+    std::array<float, max_clusters> probabilities_;  // the first as many as there are clusters
 };
 
 class LightSampler {

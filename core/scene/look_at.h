@@ -12,7 +12,7 @@ namespace eye_render {
 template <typename Look>
 auto Scene::look_at(const SurfaceHit& hit, const Look& look) const
 {
-    std::optional<Pose> moved;
+    Room<Pose> moved;
     const Pose& pose = pose_at(*hit.placement, hit.time, moved);
     if (hit.placement->mesh() != nullptr) {
         return look(

@@ -3,11 +3,10 @@
 
 #pragma once
 
+#include "base/room.h"
 #include "scene/scene_frame.h"
 #include "scene/surface_hit.h"
 #include "shading/hit_attributes.h"
-
-#include <optional>
 
 namespace eye_render {
 
@@ -40,7 +39,7 @@ protected:
     const SceneFrame& frame_;
 
 private:
-    mutable std::optional<ObjectFacts> object_;
+    mutable Room<ObjectFacts> object_;
 };
 
 }  // namespace eye_render

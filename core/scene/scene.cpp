@@ -52,23 +52,20 @@ std::optional<SurfaceHit> Scene::nearest(const Ray& ray, RayMask mask) const
         return std::nullopt;
     }
     const Placement& placement = placements_[found->placement];
-    std::optional<Pose> moved;
+    Room<Pose> moved;
     return make_surface_hit(ray, *found, placement, pose_at(placement, ray.time, moved),
                             accelerator_.positions(found->placement));
 }
 
-const Pose& Scene::pose_at(const Placement& placement,
-                           float time,
-                           std::optional<Pose>& moved) const
+const Pose& Scene::pose_at(const Placement& placement, float time, Room<Pose>& moved) const
 {
     if (!placement.moves) {
         return placement.pose;
     }
     const auto number = static_cast<std::uint32_t>(&placement - placements_.data());
     const M44f world_from_object = accelerator_.world_from_object(number, time);
-    moved = Pose{.world_from_object = world_from_object,
-                 .world_from_object_normal = normal_matrix(M44d(world_from_object))};
-    return *moved;
+    return moved = Pose{.world_from_object = world_from_object,
+                        .world_from_object_normal = normal_matrix(M44d(world_from_object))};
 }
 
 V3f Scene::place_at(const SurfaceHit& hit, float time) const
@@ -85,8 +82,8 @@ V3f Scene::place_at(const SurfaceHit& hit, float time) const
         const auto& points = std::get<Points>(*hit.placement->geometry);
         return at_time(points.points, points.motion, hit.primitive, when).center;
     };
-    std::optional<Pose> moved_now;
-    std::optional<Pose> moved_then;
+    Room<Pose> moved_now;
+    Room<Pose> moved_then;
     const M44f& now = pose_at(*hit.placement, hit.time, moved_now).world_from_object;
     const M44f& then = pose_at(*hit.placement, time, moved_then).world_from_object;
     // From the place itself: what keeps still keeps it exactly.

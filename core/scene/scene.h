@@ -5,6 +5,7 @@
 
 #pragma once
 
+#include "base/room.h"
 #include "base/vector.h"
 #include "scene/accelerator.h"
 #include "scene/environment.h"
@@ -121,6 +122,10 @@ public:
     // Density of `sample_light` at a point for what a ray from there in direction wi met.
     [[nodiscard]] float emitter_pdf(const SurfaceHit& hit, const LitPoint& point) const;
     [[nodiscard]] float environment_pdf(const V3f& wi, const LitPoint& point) const;
+    [[nodiscard]] float lamp_pdf(const LampContribution& met, const LitPoint& point) const
+    {
+        return met.pdf * light_sampler_.probability(LightKind::Lamp, met.lamp, point);
+    }
 
     // Calls visit(LampContribution) for each lamp that the path sees between t_min and t_max along
     // a ray that a BSDF, or the camera, chose at the point. Lamps do not stop rays.
@@ -137,18 +142,18 @@ public:
             if (!lamps_[index].visibility.shines_on(path)) {
                 return;
             }
-            std::optional<MovedLamp> moved;
+            Room<MovedLamp> moved;
             const auto hit =
                 lamp_hit(lamp_at(index, point.time, moved), point.p_world, direction, t_max);
             if (hit && hit->t > t_min) {
                 const LampSight sight{
                     .p_lit_world = point.p_world, .wi = direction, .distance = hit->t};
-                visit(LampContribution{
-                    hit->t,
-                    hit->radiance * lamp_factor(index, moved, sight, path),
-                    hit->pdf * light_sampler_.probability(LightKind::Lamp, index, point),
-                    data_.lamps[index].links,
-                    {.group = data_.lamps[index].light_group}});
+                visit(LampContribution{hit->t,
+                                       hit->radiance * lamp_factor(index, moved, sight, path),
+                                       hit->pdf,
+                                       index,
+                                       data_.lamps[index].links,
+                                       {.group = data_.lamps[index].light_group}});
             }
         });
     }
@@ -172,11 +177,11 @@ private:
     // The placement's own, or made in `moved` for one that moves.
     [[nodiscard]] const Pose& pose_at(const Placement& placement,
                                       float time,
-                                      std::optional<Pose>& moved) const;
+                                      Room<Pose>& moved) const;
     // The same of a lamp.
     [[nodiscard]] const Lamp& lamp_at(std::uint32_t index,
                                       float time,
-                                      std::optional<MovedLamp>& moved) const
+                                      Room<MovedLamp>& moved) const
     {
         if (lamp_motions_.empty() || !lamp_motions_[index]) {
             return lamps_[index];
@@ -207,7 +212,7 @@ private:
     void add_emitters(std::vector<EmissiveTriangle>& triangles);
     // What the nodes of a lamp, as `lamp_at` gave it, multiply its light by.
     [[nodiscard]] Color3f lamp_factor(std::uint32_t index,
-                                      const std::optional<MovedLamp>& moved,
+                                      const Room<MovedLamp>& moved,
                                       const LampSight& sight,
                                       const PathState& path) const;
     [[nodiscard]] float brightest_factor(std::uint32_t index) const;
@@ -217,6 +222,10 @@ private:
     // Unit, the mesh's own side.
     [[nodiscard]] V3f emitter_normal(const Emitter& emitter, float time) const;
     [[nodiscard]] float mean_emission(const Emitter& emitter) const;
+    // Of this light, whose choice is not in the density.
+    [[nodiscard]] std::optional<IncomingLight> sample_chosen(const LightChoice& choice,
+                                                             const LitPoint& point,
+                                                             const V2f& u) const;
     [[nodiscard]] std::optional<IncomingLight> sample_emitter(std::uint32_t index,
                                                               const LitPoint& point,
                                                               const V2f& u) const;

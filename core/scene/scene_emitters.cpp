@@ -92,7 +92,7 @@ Color3f Scene::emission(const Emitter& emitter,
 {
     const V3f normal = emitter_normal(emitter, time);
     const bool backfacing = normal.dot(wo) < 0.0f;
-    std::optional<Pose> moved;
+    Room<Pose> moved;
     const MeshAttributes at(*emitter.placement, pose_at(*emitter.placement, time, moved),
                             emitter.triangle, weights.x, weights.y, time, frame_);
     const V3f ng = backfacing ? -normal : normal;
@@ -115,7 +115,7 @@ std::array<V3f, 3> Scene::corners_world(const Emitter& emitter, float time) cons
 {
     std::array<V3f, 3> corners = accelerator_corners(emitter, time);
     if (!emitter.placement->is_flat) {
-        std::optional<Pose> moved;
+        Room<Pose> moved;
         const Pose& pose = pose_at(*emitter.placement, time, moved);
         for (V3f& p : corners) {
             p = p * pose.world_from_object;

@@ -53,7 +53,7 @@ void Scene::add_motion_of_lamp(std::uint32_t index)
 }
 
 Color3f Scene::lamp_factor(std::uint32_t index,
-                           const std::optional<MovedLamp>& moved,
+                           const Room<MovedLamp>& moved,
                            const LampSight& sight,
                            const PathState& path) const
 {
@@ -90,8 +90,8 @@ float Scene::brightest_factor(std::uint32_t index) const
         const V3f wi = sample_uniform_sphere({u[0], u[1]});
         const LampSight sight{
             .p_lit_world = lamps_[index].position - wi, .wi = wi, .distance = 1.0f};
-        brightest = std::max(
-            brightest, luminance(magnitude(lamp_factor(index, std::nullopt, sight, light_path))));
+        brightest =
+            std::max(brightest, luminance(magnitude(lamp_factor(index, {}, sight, light_path))));
     }
     return brightest > 0.0f ? brightest : 1.0f;
 }

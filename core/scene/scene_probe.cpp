@@ -25,7 +25,7 @@ void Scene::visit_object(const Ray& ray,
             return;
         }
         const Placement& met = placements_[found->placement];
-        std::optional<Pose> moved;
+        Room<Pose> moved;
         SurfaceHit hit = make_surface_hit(rest, *found, met, pose_at(met, ray.time, moved),
                                           accelerator_.positions(found->placement));
         rest = passed_through(rest, hit);

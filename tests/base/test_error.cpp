@@ -35,5 +35,16 @@ TEST(Error, accepts_both_ends_and_refuses_what_is_no_number)
               "sphere_d is inf D; expected -30 to 30 D");
 }
 
+TEST(Error, tells_a_value_from_the_bound_it_is_just_beyond)
+{
+    EXPECT_EQ(refusal(30.000001), "sphere_d is 30.000001 D; expected -30 to 30 D");
+    try {
+        require_range("samples", 16777217, 1, 1 << 24, "");
+        FAIL() << "accepted";
+    } catch (const std::invalid_argument& error) {
+        EXPECT_STREQ(error.what(), "samples is 16777217; expected 1 to 16777216");
+    }
+}
+
 }  // namespace
 }  // namespace eye_render

@@ -11,6 +11,7 @@ from tree import Tree
 
 GREY = (0.5, 0.5, 0.5)
 SKY = (0.35, 0.4, 0.5)
+DIM = (0.05, 0.06, 0.08)  # sky of a night
 BALL_RADIUS = 0.9
 BALL_CENTRE = (0.0, 0.0, BALL_RADIUS)
 
@@ -185,6 +186,21 @@ def outdoors() -> None:
     floor()
     world()
     sun()
+
+
+def by_night() -> None:
+    """Camera, floor, grey ball and almost no sky."""
+    camera()
+    floor()
+    world(DIM)
+    add(dressed(ball_mesh(), diffuse()), BALL_CENTRE, "Ball")
+
+
+def lit_by(kind: str, energy: float, **settings) -> bpy.types.Object:
+    by_night()
+    if kind in ("POINT", "SPOT") and bpy.app.version >= (4, 0, 0):
+        settings.setdefault("use_soft_falloff", True)
+    return lamp(kind, energy, (-1.6, -1.6, 2.8), **settings)
 
 
 def ball(material: bpy.types.Material) -> bpy.types.Object:

@@ -199,7 +199,8 @@ TEST(Motion, a_lamp_is_sampled_and_met_where_it_is)
                           std::numeric_limits<float>::infinity(),
                           [&](const LampContribution& lamp) {
                               ++met;
-                              EXPECT_NEAR(lamp.pdf, light->pdf, 1e-3f * light->pdf);
+                              const float pdf = scene.lamp_pdf(lamp, point);
+                              EXPECT_NEAR(pdf, light->pdf, 1e-3f * light->pdf);
                           });
         EXPECT_EQ(met, 1) << time;
         scene.visit_lamps(point, {.is_camera = false}, V3f(0, 0, -1), 0.0f,

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <deque>
 #include <fstream>
 
 namespace eye_render {
@@ -40,6 +41,18 @@ class BesideCycles : public testing::Test {
 protected:
     // A place that a pixel shows.
     struct Place {
+        Place(std::size_t shown_by, const SurfaceHit& met, const SceneFrame& frame)
+            : pixel(shown_by), is_flat(met.placement->mesh()->normal_domain == NormalDomain::Flat),
+              hit(met), attributes(*hit.placement,
+                                   hit.placement->pose,
+                                   hit.primitive,
+                                   hit.u,
+                                   hit.v,
+                                   hit.time,
+                                   frame)
+        {
+        }
+
         std::size_t pixel;
         bool is_flat;
         SurfaceHit hit;
@@ -108,7 +121,7 @@ protected:
     SceneData data_;
     SceneFrame frame_;
     std::unique_ptr<Scene> scene_;
-    std::vector<Place> places_;
+    std::deque<Place> places_;
 
 private:
     void add(const Json& body)
@@ -182,10 +195,7 @@ private:
             const auto hit = scene_->intersect({.direction = to_place.normalized()});
             ASSERT_TRUE(hit) << p_world;
             ASSERT_LT((hit->p_world - to_place).length(), 1e-5f);
-            places_.push_back({pixel, hit->placement->mesh()->normal_domain == NormalDomain::Flat,
-                               *hit,
-                               MeshAttributes(*hit->placement, hit->placement->pose,
-                                              hit->primitive, hit->u, hit->v, hit->time, frame_)});
+            places_.emplace_back(pixel, *hit, frame_);
         }
         ASSERT_GT(places_.size(), 40u);
     }
