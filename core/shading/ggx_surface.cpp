@@ -57,7 +57,11 @@ void add_glossy(Bsdf& bsdf, const GgxSurface& surface, float weight, const Color
 
 void add_phong(Bsdf& bsdf, const GgxSurface& surface, const Color3f& color)
 {
+    // As in Cycles; the exponents are 2 over its square.
+    constexpr float smallest_alpha = 1e-4f;
     Lobe lobe = surface_lobe(LobeKind::AshikhminShirley, color, surface);
+    lobe.alpha_x = std::max(lobe.alpha_x, smallest_alpha);
+    lobe.alpha_y = std::max(lobe.alpha_y, smallest_alpha);
     bsdf.add(lobe, color);
 }
 

@@ -14,6 +14,9 @@ namespace eye_render {
 // The whole sphere by longitude and latitude; the centre is along +X.
 [[nodiscard]] inline V2f uv_equirectangular(const V3f& d)
 {
+    if (d == V3f(0.0f)) {
+        return V2f(0.0f);  // as Cycles
+    }
     return {0.5f - std::atan2(d.y, d.x) * (0.5f * std::numbers::inv_pi_v<float>),
             0.5f + std::atan2(d.z, std::hypot(d.x, d.y)) * std::numbers::inv_pi_v<float>};
 }

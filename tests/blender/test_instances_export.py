@@ -312,6 +312,32 @@ def test_particles_tell_what_places_an_instance(scene, properties_of):
         assert np.linalg.norm(row[6][:3]) == pytest.approx(2.0, rel=0.01)
 
 
+def test_an_emitter_tells_where_it_places_an_instance(scene, properties_of):
+    cube, emitter = add_object(cube_mesh()), add_object(cube_mesh())
+    emitter.modifiers.new("Particles", "PARTICLE_SYSTEM")
+    settings = emitter.particle_systems[0].settings
+    settings.type, settings.count = "HAIR", 6
+    settings.render_type, settings.instance_object = "OBJECT", cube
+    found = properties_of(".eye_render.place.Generated")
+    placed = sorted(tuple(item[".eye_render.place.Generated"][:3]) for item in found)
+    depsgraph = bpy.context.evaluated_depsgraph_get()
+    expected = [
+        tuple(0.5 * number - 0.5 for number in instance.orco)
+        for instance in depsgraph.object_instances
+        if instance.is_instance
+    ]
+    assert len(set(expected)) == 6
+    nobody = [(0.0, 0.0, 0.0)] * 2  # places the cube itself, and the emitter
+    for found_at, expected_at in zip(placed, sorted(expected + nobody), strict=True):
+        assert found_at == pytest.approx(expected_at)
+
+
+def test_what_nothing_places_has_no_place(scene, properties_of):
+    add_object(cube_mesh())
+    (found,) = properties_of(".eye_render.place.Generated")
+    assert found[".eye_render.place.Generated"][:3] == [0.0, 0.0, 0.0]
+
+
 def test_grease_pencil_is_said_to_be_drawn_by_blender(scene, export):
     if bpy.app.version < (4, 3, 0):
         bpy.ops.object.gpencil_add(type="STROKE")

@@ -113,6 +113,15 @@ TEST(FresnelNode, a_bent_normal_takes_the_place_of_the_surfaces)
     EXPECT_FLOAT_EQ(bent("Fac", hit, seen_at(-120.0)).x, 0.04f);
 }
 
+TEST(FresnelNode, takes_a_normal_as_long_as_it_is)
+{
+    const MadeUpHit hit;
+    const AskedNode grown{.type = "FRESNEL",
+                          .inputs = {{"IOR", V3f(1.5f)}, {"Normal", V3f(0.0f, 0.0f, 1.4f)}}};
+    EXPECT_FLOAT_EQ(grown("Fac", hit, seen_at(0.0)).x, fresnel_dielectric(1.4f, 1.5f).reflectance);
+    EXPECT_GT(grown("Fac", hit, seen_at(0.0)).x, 0.045f);
+}
+
 TEST(LayerWeightNode, facing_is_a_power_of_the_cosine)
 {
     const MadeUpHit hit;
@@ -142,15 +151,16 @@ TEST(LayerWeightNode, fresnel_has_the_index_that_the_blend_leaves)
 TEST(WireframeNode, is_as_wide_as_it_says_over_both_triangles_of_an_edge)
 {
     MadeUpHit hit;
-    const auto is_wire = [&](float to_edge, bool in_pixels) {
+    const auto is_wire = [&](float to_edge, bool in_pixels, float size = 2.0f) {
         hit.to_edge = to_edge;
         ShadingPoint point = seen_at(0.0);
         point.footprint = 0.01f;
         return AskedNode{.type = "WIREFRAME",
                          .options = {{"use_pixel_size", in_pixels ? 1.0 : 0.0}},
-                         .inputs = {{"Size", V3f(2.0f)}}}("Fac", hit, point)
+                         .inputs = {{"Size", V3f(size)}}}("Fac", hit, point)
                    .x == 1.0f;
     };
+    EXPECT_TRUE(is_wire(0.99f, false, -2.0f)) << "a width has no sign";
     EXPECT_TRUE(is_wire(0.99f, false));
     EXPECT_FALSE(is_wire(1.01f, false));
     EXPECT_TRUE(is_wire(0.0099f, true));

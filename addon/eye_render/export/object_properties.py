@@ -1,5 +1,6 @@
 """Properties of an object, of what instances it or of the view layer that Attribute nodes read by
-name: custom ones, else Blender's own. And those of the particle that places it."""
+name: custom ones, else Blender's own. And those of the particle that places it, and of the place
+itself."""
 
 from collections.abc import Callable, Iterable
 
@@ -7,12 +8,12 @@ import bpy
 import numpy as np
 
 from .. import compat
-from .nodes import OWNER_PREFIXES, PARTICLE_PREFIX
+from .nodes import OWNER_PREFIXES, PARTICLE_PREFIX, PLACE_PREFIX
 from .particles import particle_value
 
 
 def is_of_owner(attribute: str) -> bool:
-    return attribute.startswith((PARTICLE_PREFIX, *OWNER_PREFIXES.values()))
+    return attribute.startswith((PARTICLE_PREFIX, PLACE_PREFIX, *OWNER_PREFIXES.values()))
 
 
 class PropertyReader:
@@ -30,6 +31,8 @@ class PropertyReader:
         if attribute.startswith(PARTICLE_PREFIX):
             output = attribute.removeprefix(PARTICLE_PREFIX)
             return _rgba(particle_value(instance, output, self._frame)) or _NOTHING
+        if attribute.startswith(PLACE_PREFIX):
+            return _rgba(_place(instance, attribute.removeprefix(PLACE_PREFIX))) or _NOTHING
         owner, prefix = next(
             item for item in OWNER_PREFIXES.items() if attribute.startswith(item[1])
         )
@@ -46,6 +49,16 @@ class PropertyReader:
                 "what geometry nodes give to instances is not read"
             )
         return found or _NOTHING
+
+
+def _place(instance: bpy.types.DepsgraphObjectInstance, coordinate: str) -> Iterable[float]:
+    """Generated or UV of the instancer's surface where it places the instance, as Cycles reads
+    them; zeros of what nothing places."""
+    if not instance.is_instance:
+        return (0.0, 0.0, 0.0)
+    if coordinate == "UV":
+        return (*instance.uv, 0.0)
+    return [0.5 * number - 0.5 for number in instance.orco]
 
 
 def _has_geometry_nodes(instance: bpy.types.DepsgraphObjectInstance) -> bool:

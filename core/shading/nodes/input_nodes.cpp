@@ -1,5 +1,6 @@
 // What is read from the hit: coordinates, geometry, object, path and view.
 
+#include "shading/bump.h"
 #include "shading/fresnel.h"
 #include "shading/nodes/make_node.h"
 #include "shading/nodes/node_tables.h"
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace eye_render {
 
@@ -58,11 +60,11 @@ void camera_data(const NodeInputs& in, std::span<NodeValue> out)
     out[2] = NodeValue(distance);
 }
 
-// cos is taken on the viewer's side, as the normal may be bent away.
+// cos is taken on the viewer's side, as the normal may be bent away, and is above 1 where it is
+// long, as in Cycles.
 [[nodiscard]] float reflectance(const NodeInputs& in, const V3f& normal, float ior)
 {
-    return fresnel_dielectric(std::min(std::abs(in.hit().point.wo.dot(normal)), 1.0f), ior)
-        .reflectance;
+    return fresnel_dielectric(std::abs(in.hit().point.wo.dot(normal)), ior).reflectance;
 }
 
 void fresnel(const NodeInputs& in, std::span<NodeValue> out)
@@ -89,13 +91,25 @@ void layer_weight(const NodeInputs& in, std::span<NodeValue> out)
     }
 }
 
+// Of a pixel, as it lies on the surface and is seen from the eye: as wide as the narrower of two
+// steps, whose directions are Cycles'.
+[[nodiscard]] float pixel_width(const Hit& hit)
+{
+    const V3f& wo = hit.point.wo;
+    float narrowest = std::numeric_limits<float>::max();
+    for (const V3f& step : bump_offsets(hit.point, hit.attributes.position_world())) {
+        narrowest = std::min(narrowest, (step - wo * wo.dot(step)).length());
+    }
+    return narrowest;
+}
+
 class WireframeNode final : public ValueNode {
 public:
     explicit WireframeNode(bool in_pixels) : in_pixels_(in_pixels) {}
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
-        const float width = in.number(0) * (in_pixels_ ? in.hit().point.footprint : 1.0f);
+        const float width = std::abs(in.number(0)) * (in_pixels_ ? pixel_width(in.hit()) : 1.0f);
         out[0] = NodeValue(in.hit().attributes.edge_distance() < 0.5f * width ? 1.0f : 0.0f);
     }
 

@@ -111,7 +111,9 @@ NodeType noise_texture_node()
 
 NodeType white_noise_node()
 {
-    static constexpr std::array inputs{texture_vector, number_input("W")};
+    // Alone among textures it is one thing everywhere unless told otherwise.
+    static constexpr std::array inputs{InputSocket{"Vector", SocketType::Vector},
+                                       number_input("W")};
     static constexpr std::array outputs{OutputSocket{"Value"},
                                         OutputSocket{"Color", SocketType::Color}};
     static constexpr std::array<std::string_view, 1> options{"noise_dimensions"};

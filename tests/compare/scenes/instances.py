@@ -48,6 +48,19 @@ def by_particles():
 
 
 @feature()
+def coordinates_of_instancer():
+    """Cubes painted by where on the ball they were born"""
+
+    def paint(tree: Tree):
+        place = tree.node("TexCoord", from_instancer=True)
+        uv = tree.vector_math("MULTIPLY", out(place, "UV"), (0.0, 0.8, 0.0))
+        lifted = tree.vector_math("ADD", out(place, "Generated"), (0.5, 0.0, 0.5))
+        return tree.vector_math("ADD", tree.vector_math("MULTIPLY", lifted, (0.9, 0.0, 0.9)), uv)
+
+    strewn(shows(paint))
+
+
+@feature()
 def particle_info():
     """Cubes painted by which particle they are and where it was born"""
 

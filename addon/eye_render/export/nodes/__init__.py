@@ -2,7 +2,7 @@
 
 from .build import BACKGROUND, DIFFUSE, EMISSION
 from .derived import ATTRIBUTES as DERIVED_ATTRIBUTES
-from .named import OWNER_PREFIXES, PARTICLE_PREFIX
+from .named import OWNER_PREFIXES, PARTICLE_PREFIX, PLACE_PREFIX
 from .tree import aov_sockets, export_sockets
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "EMISSION",
     "OWNER_PREFIXES",
     "PARTICLE_PREFIX",
+    "PLACE_PREFIX",
     "aov_sockets",
     "export_sockets",
 ]

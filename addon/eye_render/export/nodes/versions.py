@@ -12,7 +12,7 @@ from .derived import read_derived_attributes
 from .flat import Input, Node
 from .hair import LOBES, mix_lobes, round_fibre
 from .musgrave import musgrave_to_noise
-from .named import OWNER_PREFIXES, name_owner, name_particle
+from .named import OWNER_PREFIXES, name_owner, name_particle, name_place
 from .normals import flip_green
 from .occlusion import note_global_distance
 from .principled import (
@@ -112,6 +112,8 @@ ROWS = (
         for owner in OWNER_PREFIXES
     ),
     Row("PARTICLE_INFO", convert=name_particle),
+    Row("TEX_COORD", with_option=("from_instancer", True), convert=name_place),
+    Row("UVMAP", with_option=("from_instancer", True), convert=name_place),
     Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
     Row(
