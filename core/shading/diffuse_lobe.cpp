@@ -88,10 +88,10 @@ constexpr float oren_nayar_mean_loss_over_b = grazing_slope_albedo - (2.0f * pi_
     return 2.0f * half_sine * half_sine;
 }
 
-// `cosine` is against the cone's axis.
-[[nodiscard]] BsdfValue evaluate_toon(const Lobe& lobe, float cosine)
+// By the chord, because a float's cosine tells no angles below 3e-4 apart. Both unit.
+[[nodiscard]] BsdfValue evaluate_toon(const Lobe& lobe, const V3f& axis, const V3f& wi)
 {
-    const float angle = std::acos(std::clamp(cosine, 0.0f, 1.0f));
+    const float angle = 2.0f * std::asin(std::min(0.5f * (wi - axis).length(), 1.0f));
     if (angle >= std::min(lobe.a + lobe.b, half_pi)) {
         return {};
     }
@@ -119,7 +119,7 @@ constexpr float oren_nayar_mean_loss_over_b = grazing_slope_albedo - (2.0f * pi_
     switch (lobe.kind) {
     case LobeKind::OrenNayar: return evaluate_oren_nayar(lobe, wo, wi, cos_i);
     case LobeKind::Sheen: return evaluate_sheen(lobe, wo, wi);
-    case LobeKind::DiffuseToon: return evaluate_toon(lobe, cos_i);
+    case LobeKind::DiffuseToon: return evaluate_toon(lobe, lobe.normal, wi);
     default: {
         const float pdf = cosine_hemisphere_pdf(cos_i);
         return {lobe.weight * pdf, pdf};
@@ -230,7 +230,7 @@ BsdfValue evaluate_glossy_toon(const Lobe& lobe, const V3f& wo, const V3f& wi)
     if (!(cos_o > 0.0f && lobe.normal.dot(wi) > 0.0f)) {
         return {};
     }
-    return evaluate_toon(lobe, wi.dot(lobe.normal * (2.0f * cos_o) - wo));
+    return evaluate_toon(lobe, lobe.normal * (2.0f * cos_o) - wo, wi);
 }
 
 V3f sample_glossy_toon(const Lobe& lobe, const V3f& wo, const V2f& u)

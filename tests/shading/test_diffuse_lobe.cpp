@@ -1,5 +1,6 @@
 // Rough Lambert, translucency and toon.
 
+#include "lobe_cases.h"
 #include "scattering.h"
 #include "shading/diffuse_lobe.h"
 
@@ -105,6 +106,25 @@ TEST(Toon, is_lit_within_its_cone_alone_and_fades_over_its_edge)
     EXPECT_NEAR(bsdf.evaluate(direction_at(44.0, 130.0)).value.x, full, 1e-6f);
     EXPECT_NEAR(bsdf.evaluate(direction_at(54.0, 200.0)).value.x, 0.5f * full, 1e-4f);
     EXPECT_EQ(bsdf.evaluate(direction_at(64.0)).value.x, 0.0f);
+}
+
+TEST(Toon, a_cone_however_narrow_returns_what_is_drawn_from_it)
+{
+    // In a float the cosines of such angles are all rounding, in one way or another by the normal.
+    for (double angle_deg = 3.0; angle_deg < 90.0; angle_deg += 9.0) {
+        const V3f normal = direction_at(angle_deg, 5.0 * angle_deg);
+        for (const float size : {0.0f, 1e-4f, 1e-2f}) {
+            Bsdf bsdf(normal, normal);
+            bsdf.add(toon_lobe(LobeKind::DiffuseToon, white, size, 0.0f, normal, normal), white);
+            test::Random random(2);
+            int lit = 0;
+            for (int i = 0; i < 100; ++i) {
+                const std::optional<BsdfSample> s = random.sample(bsdf);
+                lit += s && std::abs(s->weight.x - 1.0f) < 1e-3f ? 1 : 0;
+            }
+            EXPECT_GT(lit, 90) << size << ", " << normal << ": on the rim rounding decides";
+        }
+    }
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include "../base/chi_squared.h"
 #include "lobe_cases.h"
-#include "shading/microfacet.h"
+#include "shading/ggx_surface.h"
 
 #include <gtest/gtest.h>
 
@@ -83,6 +83,20 @@ TEST(Lobe, a_glossy_toon_fills_its_cone_evenly)
     const std::vector<double> expected(bins * bins, double(samples) / (bins * bins));
     const test::ChiSquared fit = test::chi_squared_test(observed, expected, 0.01);
     EXPECT_LT(fit.statistic, fit.critical);
+}
+
+TEST(Lobe, ashikhmin_and_shirleys_without_roughness_is_a_mirror)
+{
+    Bsdf bsdf(direction_at(40.0), up);
+    add_phong(bsdf, {.normal = up, .cos_o = direction_at(40.0).z, .roughness = 0.0f},
+              Color3f(0.8f));
+    Random random(4);
+    for (int i = 0; i < 100; ++i) {
+        const std::optional<BsdfSample> s = random.sample(bsdf);
+        ASSERT_TRUE(s && s->is_delta);
+        EXPECT_LT((s->wi - direction_at(40.0, 180.0)).length(), 1e-3f);
+        EXPECT_FLOAT_EQ(s->weight.x, 0.8f);
+    }
 }
 
 TEST(Lobe, the_weight_of_a_sample_is_its_value_over_its_density)

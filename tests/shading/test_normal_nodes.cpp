@@ -60,6 +60,14 @@ TEST(NormalMapNode, smoothed_tangents_of_the_mesh_come_before_the_triangles)
         << "what is mirrored is the object, with its map";
 }
 
+TEST(NormalMapNode, strength_below_zero_turns_bumps_into_hollows)
+{
+    const V3f n = mapped({0.6f, 0, 0.8f}, flat_point, {}, -0.5f);
+    EXPECT_NEAR(n.x / n.z, -0.3f, 1e-6f);
+    const V3f fixed = mapped({0.6f, 0, 0.8f}, flat_point, {}, -0.5f, "WORLD");
+    EXPECT_EQ(fixed, flat_point.ns) << "in other spaces it counts as 0";
+}
+
 TEST(NormalMapNode, strength_blends_from_flat)
 {
     const auto slope = [](float strength) {
@@ -69,7 +77,7 @@ TEST(NormalMapNode, strength_blends_from_flat)
     EXPECT_NEAR(slope(0.0f), 0.0f, rounding);
     EXPECT_NEAR(slope(0.5f), 0.3f / 0.9f, rounding);
     EXPECT_NEAR(slope(2.0f), 1.2f / 0.8f, rounding);
-    EXPECT_NEAR(slope(-1.0f), 0.0f, rounding) << "there is no less than none";
+    EXPECT_NEAR(slope(-1.0f), -0.6f, rounding);
 }
 
 TEST(NormalMapNode, the_back_of_a_bump_is_a_dent)

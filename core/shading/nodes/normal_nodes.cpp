@@ -28,10 +28,11 @@ public:
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
-        const float strength = std::max(in.number(0), 0.0f);
+        const float strength = in.number(0);
         const V3f map = in.color(1) * 2.0f - V3f(1.0f);
-        out[0] = space_ == Space::Tangent ? from_tangent_space(in.hit(), map, strength)
-                                          : from_fixed_space(in.hit(), map, strength);
+        out[0] = space_ == Space::Tangent
+                     ? from_tangent_space(in.hit(), map, strength)
+                     : from_fixed_space(in.hit(), map, std::max(strength, 0.0f));
     }
 
 private:
@@ -43,7 +44,8 @@ private:
             return hit.point.ns;
         }
         const float turn = hit.point.backfacing ? -1.0f : 1.0f;
-        const float z = 1.0f + (map.z - 1.0f) * std::min(strength, 1.0f);
+        // Below 0 it turns hollows into bumps, as in Cycles.
+        const float z = 1.0f + (map.z - 1.0f) * std::clamp(strength, 0.0f, 1.0f);
         const V3f bent =
             own.tangent * (map.x * strength) + own.bitangent * (map.y * strength) + own.normal * z;
         return unit_or(normal_to_world(hit.attributes.object(), bent) * turn, hit.point.ns);
