@@ -104,6 +104,16 @@ TEST(ProceduralNodes, rounding_at_zero_does_not_change_a_checkers_color)
     EXPECT_EQ(above, below);
 }
 
+TEST(ProceduralNodes, joints_have_sharp_edges_where_their_softness_is_below_zero)
+{
+    for (const float smooth : {0.0f, -0.3f}) {
+        NodeTrial brick(texture_node("TEX_BRICK"));
+        brick.set("Scale", 1.0f).set("Mortar Size", 0.1f).set("Mortar Smooth", smooth);
+        EXPECT_EQ(brick.set("Vector", {0.1f, 0.05f, 0.0f})("Fac").x, 1.0f) << smooth;
+        EXPECT_EQ(brick.set("Vector", {0.1f, 0.125f, 0.0f})("Fac").x, 0.0f) << smooth;
+    }
+}
+
 TEST(ProceduralNodes, bricks_without_width_have_joints_between_their_rows_alone)
 {
     NodeTrial brick(texture_node("TEX_BRICK"), {{"squash", 0.0}, {"squash_frequency", 1.0}});

@@ -22,7 +22,7 @@ namespace {
     if (edge_distance >= brick.mortar_size) {
         return 0.0f;
     }
-    if (brick.mortar_smooth == 0.0f) {
+    if (brick.mortar_smooth <= 0.0f) {
         return 1.0f;
     }
     return smooth_step((1.0f - edge_distance / brick.mortar_size) / brick.mortar_smooth);
