@@ -16,6 +16,7 @@ TextureOptions texture_options(const std::string& colorspace,
 {
     return {.colorspace = named<Colorspace>("colorspace", colorspace,
                                             {{"sRGB", Colorspace::Srgb},
+                                             {"Linear Rec.709", Colorspace::LinearRec709},
                                              {"Linear", Colorspace::Linear},
                                              {"Non-Color", Colorspace::NonColor}}),
             .extension = named<Extension>("extension", extension,
@@ -146,7 +147,9 @@ void bind_materials(SceneClass& scene)
             },
             "path"_a, py::kw_only(), "colorspace"_a = "sRGB", "extension"_a = "REPEAT",
             "interpolation"_a = "Linear", "alpha"_a = "STRAIGHT",
-            "Number of the texture. A file that cannot be read shows magenta and a warning.")
+            "Number of the texture. A file that cannot be read shows magenta and a warning. What "
+            "is\n"
+            "Linear is in the scene's working space.")
         .def(
             "add_texture_pixels",
             [](SceneBuilder& builder, const std::string& name, const py::array& pixels,

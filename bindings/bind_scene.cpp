@@ -84,7 +84,16 @@ void bind_scene(py::module_& m)
     bind_geometry(scene);
     bind_instances(scene);
     bind_lights(scene);
-    scene.def(py::init<>())
+    scene
+        .def(py::init([](const std::string& working_space) {
+                 return std::make_shared<SceneBuilder>(
+                     named<WorkingSpace>("working_space", working_space,
+                                         {{"Linear Rec.709", WorkingSpace::Rec709},
+                                          {"Linear Rec.2020", WorkingSpace::Rec2020},
+                                          {"ACEScg", WorkingSpace::AcesCg}}));
+             }),
+             "working_space"_a = "Linear Rec.709",
+             "working_space: what all colours are in that go in and come out, by Blender's names.")
         .def("set_camera", &set_camera, "world_from_camera"_a, "slope_bounds"_a, "resolution"_a,
              "border"_a = py::none(), "clip"_a = std::array<double, 2>{0.001, 1e9},
              "metres_per_unit"_a = 1.0, "motion"_a = py::list(),

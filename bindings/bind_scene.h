@@ -26,7 +26,7 @@ void bind_lights(SceneClass& scene);
 // Throws std::invalid_argument if there is no such set.
 [[nodiscard]] LightLinks links_from(std::uint64_t lit_classes, int blocker_set);
 
-// Three numbers, linear Rec. 709; `name` is what they are for, as errors say it.
+// Three numbers, linear; `name` is what they are for, as errors say it.
 [[nodiscard]] Color3f color_from(const std::string& name, const py::handle& value);
 
 }  // namespace eye_render

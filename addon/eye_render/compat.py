@@ -133,12 +133,6 @@ def terminator_offsets(shown: bpy.types.Object) -> tuple[float, float]:
     return 0.0, 0.1
 
 
-def working_space() -> str:
-    """The colours that Blender's numbers are: another one only from Blender 5.0."""
-    colorspace = getattr(bpy.data, "colorspace", None)
-    return getattr(colorspace, "working_space", "Linear Rec.709")
-
-
 def vertex_positions(mesh: bpy.types.Mesh) -> np.ndarray:
     positions = np.empty((len(mesh.vertices), 3), np.float32)
     attribute = mesh.attributes.get("position")  # from Blender 3.5, at memcpy speed
@@ -214,6 +208,13 @@ def corner_normals(mesh: bpy.types.Mesh) -> np.ndarray:
         mesh.free_normals_split()
     return normals
 
+
+# Whether a random walk below a surface is what later versions call legacy. Those also let light
+# walk where it shows least: within a pixel, and after diffuse bounces.
+RANDOM_WALK_IS_LEGACY = (
+    "RANDOM_WALK_LEGACY"
+    not in bpy.types.ShaderNodeBsdfPrincipled.bl_rna.properties["subsurface_method"].enum_items
+)
 
 # Whether Cycles has a pass of the lamps' shadows; later versions have the switch for EEVEE alone.
 HAS_SHADOW_PASS = bpy.app.version < (4, 0, 0)

@@ -31,6 +31,12 @@ std::vector<std::string> pick(const std::vector<std::string>& names,
 
 }  // namespace
 
+SceneBuilder::SceneBuilder(WorkingSpace space)
+{
+    data_.working_space = space;
+    data_.textures = TextureSet(space);
+}
+
 void SceneBuilder::require_unleased() const
 {
     if (lease_.use_count() > 1) {
@@ -148,7 +154,8 @@ void SceneBuilder::set_world(const NodeGraph& graph,
     SceneResources resources(data_);
     data_.world = make_material("world", graph, outputs, resources, numbered(aovs));
     warn_of_variation("world", data_.world.volume);
-    data_.world_sun = outputs.surface ? sun_shown(graph, *outputs.surface) : std::nullopt;
+    data_.world_sun =
+        outputs.surface ? sun_shown(graph, *outputs.surface, data_.working_space) : std::nullopt;
 }
 
 std::vector<AovOutput> SceneBuilder::numbered(const AovsByName& aovs)

@@ -19,6 +19,9 @@ using AovsByName = std::map<std::string, NodeOutput>;
 
 class SceneBuilder {
 public:
+    // All colours that it is given, and the pictures of the scene, are in that space.
+    explicit SceneBuilder(WorkingSpace space = WorkingSpace::Rec709);
+
     // Each of these returns the number by which the thing is referred to later, and throws
     // std::invalid_argument that names what is wrong.
     std::size_t add_geometry(Geometry geometry);

@@ -48,6 +48,7 @@ public:
         require_index("texture", static_cast<std::size_t>(texture),
                       static_cast<std::size_t>(data_.textures.size()));
     }
+    [[nodiscard]] WorkingSpace working_space() override { return data_.working_space; }
 
 private:
     SceneData& data_;

@@ -25,7 +25,8 @@ using M44d = Imath::M44d;
 using Color3f = Imath::Color3f;
 using Color4f = Imath::Color4f;
 
-// Rec. 709 luminance of a linear colour; the renderer's working space is linear Rec. 709.
+// Rec. 709 luminance of a linear colour. Near enough in any working space to choose samples by;
+// what is shown weighs channels by the scene's own (working_space.h).
 [[nodiscard]] inline float luminance(const Color3f& c)
 {
     return 0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z;

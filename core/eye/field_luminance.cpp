@@ -12,11 +12,6 @@ namespace eye_render {
 
 namespace {
 
-V3d rgb_weights(LuminanceWeights weights)
-{
-    return weights == LuminanceWeights::Paper ? V3d(0.3, 0.59, 0.11) : V3d(0.2126, 0.7152, 0.0722);
-}
-
 // The Gaussian along one side of the picture, at the pixels' centres. Scaled to 1 at the most
 // central pixel, so that no sigma is so small that every weight vanishes.
 std::vector<double> side_weights(std::size_t count, double sigma)
@@ -63,7 +58,7 @@ double field_luminance_cd_m2(std::span<const Color3f> pixels,
     const std::size_t height = pixels.size() / width;
     const std::vector<double> column_weights = side_weights(width, options.sigma);
     const std::vector<double> row_weights = side_weights(height, options.sigma);
-    const V3d rgb = rgb_weights(options.weights);
+    const V3d rgb(options.weights);
     double weighted = 0.0;
     double total_weight = 0.0;
     for (std::size_t y = 0; y < height; ++y) {

@@ -5,20 +5,18 @@
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 
 #include <cstddef>
 #include <span>
 
 namespace eye_render {
 
-enum class LuminanceWeights {
-    Paper,   // eq. 14: 0.3, 0.59, 0.11
-    Rec709,  // 0.2126, 0.7152, 0.0722: right for the renderer's linear Rec. 709
-};
+// Of the channels: eq. 14.
+inline const V3f paper_luminance_weights{0.3f, 0.59f, 0.11f};
 
 struct FieldLuminanceOptions {
-    LuminanceWeights weights = LuminanceWeights::Rec709;
+    V3f weights = luminance_weights(WorkingSpace::Rec709);  // of the channels
     double sigma = 0.5;             // in half pictures; not printed in the paper
     double cd_m2_per_unit = 179.0;  // of a white pixel of value 1
 };

@@ -27,13 +27,6 @@ V3d cie_xyz(double nm)
             1.217 * lobe(nm, 437.0, 11.8, 36.0) + 0.681 * lobe(nm, 459.0, 26.0, 13.8)};
 }
 
-V3d linear_rec709(const V3d& xyz)
-{
-    return {3.2406 * xyz.x - 1.5372 * xyz.y - 0.4986 * xyz.z,
-            -0.9689 * xyz.x + 1.8758 * xyz.y + 0.0415 * xyz.z,
-            0.0557 * xyz.x - 0.2040 * xyz.y + 1.0570 * xyz.z};
-}
-
 double mean(const V3d& v) { return (v.x + v.y + v.z) / 3.0; }
 
 struct Tables {
@@ -41,12 +34,14 @@ struct Tables {
     std::array<double, node_count> cumulative;  // of their mean
 };
 
-Tables make_tables()
+Tables make_tables(WorkingSpace space)
 {
     Tables tables;
     for (std::size_t i = 0; i < node_count; ++i) {
-        const V3d rgb = linear_rec709(cie_xyz(min_display_nm + static_cast<double>(i)));
-        tables.primaries[i] = {std::max(0.0, rgb.x), std::max(0.0, rgb.y), std::max(0.0, rgb.z)};
+        const V3d xyz = cie_xyz(min_display_nm + static_cast<double>(i));
+        const Color3f rgb = rgb_from_xyz(V3f(xyz), space);
+        tables.primaries[i] = {std::max(0.0f, rgb.x), std::max(0.0f, rgb.y),
+                               std::max(0.0f, rgb.z)};
     }
     // Trapezoids are what lies under straight lines.
     V3d total(0.0);
@@ -64,10 +59,12 @@ Tables make_tables()
     return tables;
 }
 
-const Tables& tables()
+const Tables& tables(WorkingSpace space)
 {
-    static const Tables made = make_tables();
-    return made;
+    static const std::array made{make_tables(WorkingSpace::Rec709),
+                                 make_tables(WorkingSpace::Rec2020),
+                                 make_tables(WorkingSpace::AcesCg)};
+    return made[static_cast<std::size_t>(space)];
 }
 
 struct Cell {
@@ -90,22 +87,22 @@ bool is_displayed(double wavelength_nm)
 
 }  // namespace
 
-V3d display_primaries(double wavelength_nm)
+V3d display_primaries(double wavelength_nm, WorkingSpace space)
 {
     if (!is_displayed(wavelength_nm)) return V3d(0.0);
     const auto [index, offset] = cell_of(wavelength_nm);
-    const auto& nodes = tables().primaries;
+    const auto& nodes = tables(space).primaries;
     return nodes[index] * (1.0 - offset) + nodes[index + 1] * offset;
 }
 
-double sample_wavelength_nm(double u)
+double sample_wavelength_nm(double u, WorkingSpace space)
 {
-    const auto& cumulative = tables().cumulative;
+    const auto& cumulative = tables(space).cumulative;
     const auto below =
         std::upper_bound(cumulative.begin() + 1, cumulative.end() - 1, u) - cumulative.begin() - 1;
     const auto index = static_cast<std::size_t>(below);
-    const double low = mean(tables().primaries[index]);
-    const double high = mean(tables().primaries[index + 1]);
+    const double low = mean(tables(space).primaries[index]);
+    const double high = mean(tables(space).primaries[index + 1]);
     // Solves low t + (high - low) t^2 / 2 = rest in the form that also holds when low = high.
     const double rest = u - cumulative[index];
     const double root = std::sqrt(std::max(0.0, low * low + 2.0 * (high - low) * rest));
@@ -113,15 +110,18 @@ double sample_wavelength_nm(double u)
     return min_display_nm + static_cast<double>(index) + offset;
 }
 
-double wavelength_pdf(double wavelength_nm) { return mean(display_primaries(wavelength_nm)); }
+double wavelength_pdf(double wavelength_nm, WorkingSpace space)
+{
+    return mean(display_primaries(wavelength_nm, space));
+}
 
-double invert_wavelength(double wavelength_nm)
+double invert_wavelength(double wavelength_nm, WorkingSpace space)
 {
     const auto [index, offset] =
         cell_of(std::clamp(wavelength_nm, min_display_nm, max_display_nm));
-    const double low = mean(tables().primaries[index]);
-    const double high = mean(tables().primaries[index + 1]);
-    return tables().cumulative[index] + offset * (low + 0.5 * (high - low) * offset);
+    const double low = mean(tables(space).primaries[index]);
+    const double high = mean(tables(space).primaries[index + 1]);
+    return tables(space).cumulative[index] + offset * (low + 0.5 * (high - low) * offset);
 }
 
 }  // namespace eye_render

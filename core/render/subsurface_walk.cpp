@@ -31,7 +31,7 @@ constexpr float thin = 10.0f;
 // nothing of. Cycles' choice.
 [[nodiscard]] float guided_share(float anisotropy)
 {
-    return 1.0f - std::max(0.5f, std::pow(anisotropy, 0.125f));
+    return 1.0f - std::max(0.5f, std::pow(std::abs(anisotropy), 0.125f));
 }
 
 // Where the path flies from a collision, and how that could have been drawn.

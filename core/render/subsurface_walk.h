@@ -9,7 +9,7 @@
 
 namespace eye_render {
 
-// As sample_exit, of RandomWalk and RandomWalkSkin on a mesh.
+// As sample_exit, of a random walk on a mesh.
 [[nodiscard]] std::optional<SubsurfaceExit> walk_below(const Scene& scene,
                                                        const SurfaceHit& entry,
                                                        const Lobe& lobe,

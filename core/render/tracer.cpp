@@ -99,8 +99,10 @@ PathSample trace_sample(const RenderJob& job,
     const V2d raster = V2d(x + 0.5, y + 0.5) + job.filter.sample(V2f(u[2], u[3]));
     double wavelength_nm = reference_wavelength_nm;
     if (job.chromatic) {
-        wavelength_nm = sample_wavelength_nm(sequence.next()[0]);
-        sample.channel_weight = display_primaries(wavelength_nm) / wavelength_pdf(wavelength_nm);
+        const WorkingSpace space = job.scene->working_space();
+        wavelength_nm = sample_wavelength_nm(sequence.next()[0], space);
+        sample.channel_weight =
+            display_primaries(wavelength_nm, space) / wavelength_pdf(wavelength_nm, space);
     }
     const float time = job.moves ? time_of(job, sequence.next()[0]) : shutter_middle;
     const CameraRay camera = ray_at(job, time, raster, sample.pupil_point_m, wavelength_nm);

@@ -24,7 +24,7 @@ struct UvLayer {
 // Numbers, vectors and colours that materials read by name: a number is in r, g and b.
 struct Attribute {
     std::string name;
-    std::vector<Color4f> per_corner;  // colours linear Rec. 709, straight alpha
+    std::vector<Color4f> per_corner;  // colours linear, straight alpha
 };
 
 // Blender's texture space: where coordinates Generated are 0 and how far it is to 1.

@@ -77,6 +77,7 @@ public:
     // Where the place of a surface that was hit is at another time.
     [[nodiscard]] V3f place_at(const SurfaceHit& hit, float time) const;
     [[nodiscard]] const ViewFrame& view() const { return frame_.view; }
+    [[nodiscard]] WorkingSpace working_space() const { return data_.working_space; }
 
     // The part of the light that passes along the ray: 0 behind an opaque surface, and behind more
     // than that many clear ones. `path` is that of the place it starts from, and so are `media`,

@@ -75,7 +75,8 @@ struct SceneData {
     std::vector<Material> materials;
     std::vector<LampData> lamps;
     Material world;
-    std::optional<SunDisc> world_sun;  // of the sky, to be aimed at
+    std::optional<SunDisc> world_sun;                   // of the sky, to be aimed at
+    WorkingSpace working_space = WorkingSpace::Rec709;  // of all colours, those of textures too
     TextureSet textures;
     // Names behind the layer numbers of materials. The empty name asks for a mesh's first layer.
     std::vector<std::string> uv_layer_names{""};

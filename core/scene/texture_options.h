@@ -4,7 +4,9 @@
 
 namespace eye_render {
 
-enum class Colorspace { Srgb, Linear, NonColor };     // NonColor: as Linear, and alpha is packed
+// What the numbers of an image are. Linear: as the scene's own colours. NonColor: as Linear, and
+// alpha is packed.
+enum class Colorspace { Srgb, LinearRec709, Linear, NonColor };
 enum class Extension { Repeat, Extend, Clip };        // Clip: transparent black outside
 enum class Interpolation { Linear, Closest, Cubic };  // Cubic: the uniform B-spline
 

@@ -37,6 +37,7 @@ float footprint_coverage(const Texture& texture, float u, float v)
 }  // namespace
 
 struct TextureSet::Impl {
+    WorkingSpace space;
     std::optional<TextureCache> cache;
     std::vector<Texture> textures;
     std::mutex warnings_mutex;
@@ -79,7 +80,10 @@ struct TextureSet::Impl {
     }
 };
 
-TextureSet::TextureSet() : impl_(std::make_unique<Impl>()) {}
+TextureSet::TextureSet(WorkingSpace space) : impl_(std::make_unique<Impl>())
+{
+    impl_->space = space;
+}
 TextureSet::~TextureSet() = default;
 TextureSet::TextureSet(TextureSet&&) noexcept = default;
 TextureSet& TextureSet::operator=(TextureSet&&) noexcept = default;
@@ -133,8 +137,10 @@ Color4f TextureSet::lookup(int texture, const V2f& uv, TextureAlpha use) const
     if (is_divided && alpha != 0.0f && alpha != 1.0f) {
         color /= alpha;
     }
-    if (t->options.colorspace == Colorspace::Srgb) {
-        color = linear_from_srgb(color);
+    switch (t->options.colorspace) {
+    case Colorspace::Srgb: color = rgb_from_rec709(linear_from_srgb(color), impl_->space); break;
+    case Colorspace::LinearRec709: color = rgb_from_rec709(color, impl_->space); break;
+    default: break;
     }
     return {color.x, color.y, color.z, alpha};
 }

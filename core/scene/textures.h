@@ -1,13 +1,13 @@
 // Image textures, of files and of pixels in memory.
 //
 // A lookup is interpolated on the full-resolution image, without MIP maps, as Cycles does, and
-// gives linear Rec. 709. v = 0 is the bottom row, v = 1 the top one. Alpha is divided out after
-// interpolation, and sRGB is decoded after that, as Cycles does. OpenImageIO is not started before
-// the first image is added.
+// gives colours of the working space. v = 0 is the bottom row, v = 1 the top one. Alpha is divided
+// out after interpolation, and colours are converted after that, as Cycles does. OpenImageIO is
+// not started before the first image is added.
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 #include "scene/memory_image.h"
 #include "scene/texture_options.h"
 #include "shading/hit_attributes.h"
@@ -20,7 +20,7 @@ namespace eye_render {
 
 class TextureSet {
 public:
-    TextureSet();
+    explicit TextureSet(WorkingSpace space = WorkingSpace::Rec709);
     ~TextureSet();
     TextureSet(TextureSet&& other) noexcept;
     TextureSet& operator=(TextureSet&& other) noexcept;

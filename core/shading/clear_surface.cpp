@@ -26,6 +26,7 @@ void tint(Lobe& lobe, const Boundary& boundary, LobeKind tinted)
     lobe.f0 = unit_range(boundary.specular_tint * f0_from_ior(boundary.ior));
     lobe.film_thickness_nm = boundary.film_thickness_nm;
     lobe.film_ior = boundary.film_ior;
+    lobe.film_space = boundary.film_space;
 }
 
 // As add_dielectric, in one colour.

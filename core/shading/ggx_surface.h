@@ -32,10 +32,11 @@ void brush(GgxSurface& surface,
 
 // A boundary between two media that are clear.
 struct Boundary {
-    float ior;                       // of the far side over the viewer's
-    Color3f specular_tint{1.0f};     // of what is reflected at normal incidence
-    float film_thickness_nm = 0.0f;  // of a film on it; 0 for none
-    float film_ior = 1.0f;           // over the viewer's side
+    float ior;                                       // of the far side over the viewer's
+    Color3f specular_tint{1.0f};                     // of what is reflected at normal incidence
+    float film_thickness_nm = 0.0f;                  // of a film on it; 0 for none
+    float film_ior = 1.0f;                           // over the viewer's side
+    WorkingSpace film_space = WorkingSpace::Rec709;  // of all colours
 };
 
 // A mirror of this colour at every angle.

@@ -20,7 +20,7 @@ struct TangentFrame {
 // encoding is undone, as Cycles shows it where nobody asks for the alpha.
 enum class TextureAlpha : std::uint8_t { Straight, Associated };
 
-// A layer or property that a node reads by name. Colours are linear Rec. 709, straight alpha.
+// A layer or property that a node reads by name. Colours are linear, straight alpha.
 struct AttributeValue {
     Color4f value{0.0f};
     bool exists = false;

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 #include "shading/microfacet.h"
 
 #include <cmath>
@@ -21,9 +21,10 @@ enum class LobeKind : std::uint8_t {
     Straight,  // passes light as if there were no surface
     // Let light in that leaves elsewhere (subsurface.h): nothing to evaluate, and not sampled
     // here.
-    RandomWalk,      // through a medium, from a refracting boundary
-    RandomWalkSkin,  // the same from a boundary half Lambert, half refracting
-    Burley,          // by Christensen and Burley's profile
+    RandomWalk,        // through a medium, from a refracting boundary
+    RandomWalkLegacy,  // the same through the medium of older Blenders
+    RandomWalkSkin,    // that from a boundary half Lambert, half refracting
+    Burley,            // by Christensen and Burley's profile
     // Wide lobes (diffuse_lobe.h).
     Diffuse,      // Lambert
     OrenNayar,    // rough Lambert
@@ -52,7 +53,8 @@ enum class FacetModel : std::uint8_t { Ggx, Beckmann };
 // per hit, and clearing it would cost a tenth of shading.
 struct Lobe {
     LobeKind kind;
-    FacetModel facets;  // microfacets
+    FacetModel facets;        // microfacets
+    WorkingSpace film_space;  // tinted dielectrics: what colours under a film are in
     Color3f weight;
     V3f normal;
     V3f smooth_normal;  // Diffuse to DiffuseToon: the normal before any map
@@ -135,6 +137,7 @@ private:
 {
     return {.kind = kind,
             .facets = FacetModel::Ggx,
+            .film_space = WorkingSpace::Rec709,
             .weight = weight,
             .normal = normal,
             .smooth_normal = normal,

@@ -26,6 +26,7 @@ public:
         inner_.require_texture(texture);
         textures.insert(texture);
     }
+    [[nodiscard]] WorkingSpace working_space() override { return inner_.working_space(); }
 
     std::set<int> uv_layers;
     std::set<int> attributes;
@@ -35,12 +36,13 @@ private:
     NodeResources& inner_;
 };
 
-// Of a material that names none.
+// Of a material that names none, and whose colours are grey.
 class NoResources final : public NodeResources {
 public:
     [[nodiscard]] int uv_layer(const std::string& name) override { refuse("UV layer " + name); }
     [[nodiscard]] int attribute(const std::string& name) override { refuse("attribute " + name); }
     void require_texture(int texture) override { refuse("texture " + std::to_string(texture)); }
+    [[nodiscard]] WorkingSpace working_space() override { return WorkingSpace::Rec709; }
 
 private:
     [[noreturn]] static void refuse(const std::string& what)

@@ -32,7 +32,7 @@ struct Split {
 {
     if (lobe.film_thickness_nm > 0.0f) {
         return tinted_film_reflectance(cos_facet, lobe.film_thickness_nm, lobe.film_ior, lobe.ior,
-                                       lobe.f0);
+                                       lobe.f0, lobe.film_space);
     }
     return blend_to_white(lobe.f0, dielectric_blend(untinted, f0_from_ior(lobe.ior)));
 }

@@ -11,7 +11,7 @@
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 #include "shading/bsdf.h"
 #include "shading/hit_attributes.h"
 #include "shading/node_options.h"
@@ -26,7 +26,7 @@
 
 namespace eye_render {
 
-// A number is in x; a vector or a colour is in x, y and z. Colours are linear Rec. 709.
+// A number is in x; a vector, or a colour of the scene's working space, is in x, y and z.
 using NodeValue = V3f;
 
 enum class SocketType : std::uint8_t { Number, Vector, Color, Shader };
@@ -108,9 +108,9 @@ enum class Conversion : std::uint8_t { None, Splat, Mean, Luminance };
 struct ProgramInput {
     static constexpr int none = -1;
 
-    NodeValue constant{0.0f};
-    int step = none;   // the step that computes it
-    int value = none;  // its place among the values of a run
+    NodeValue constant{0.0f};  // of a luminance: the weights of the channels that are computed
+    int step = none;           // the step that computes it
+    int value = none;          // its place among the values of a run
     ImplicitInput implicit = ImplicitInput::None;
     Conversion conversion = Conversion::None;
 
@@ -225,6 +225,7 @@ public:
     [[nodiscard]] virtual int attribute(const std::string& name) = 0;
     // Throws std::invalid_argument unless there is a texture of that number.
     virtual void require_texture(int texture) = 0;
+    [[nodiscard]] virtual WorkingSpace working_space() = 0;  // of all colours
 };
 
 enum class NodeRole : std::uint8_t { Value, Closure, MixShader, AddShader };

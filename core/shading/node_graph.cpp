@@ -27,14 +27,23 @@ std::size_t index_of(const char* what,
                                 (names.empty() ? "none" : "one of " + names));
 }
 
+// Nodes that depend on the space of colours are kept for the usual one.
+constexpr WorkingSpace kept_space = WorkingSpace::Rec709;
+
 // Of no scene yet: whatever a node names is there.
 class AnyResources final : public NodeResources {
 public:
     [[nodiscard]] int uv_layer(const std::string& /*name*/) override { return asked(); }
     [[nodiscard]] int attribute(const std::string& /*name*/) override { return asked(); }
     void require_texture(int /*texture*/) override { asked(); }
+    [[nodiscard]] WorkingSpace working_space() override
+    {
+        was_asked_space_ = true;
+        return kept_space;
+    }
 
     [[nodiscard]] bool was_asked() const { return was_asked_; }
+    [[nodiscard]] bool was_asked_space() const { return was_asked_space_; }
 
 private:
     int asked()
@@ -44,6 +53,7 @@ private:
     }
 
     bool was_asked_ = false;
+    bool was_asked_space_ = false;
 };
 
 // Makes the node, so that a value out of an option's range is refused where it is said, and keeps
@@ -56,6 +66,7 @@ void make(NodeGraph::Node& node)
     } else if (node.type->make_closure != nullptr) {
         node.closure = node.type->make_closure(node.options, any);
     }
+    node.depends_on_space = any.was_asked_space();
     if (any.was_asked()) {
         node.value = nullptr;
         node.closure = nullptr;
@@ -94,14 +105,19 @@ std::size_t NodeGraph::add(std::string_view type, NodeOptions options)
     return nodes_.size() - 1;
 }
 
+bool NodeGraph::Node::fits(NodeResources& resources) const
+{
+    return !depends_on_space || resources.working_space() == kept_space;
+}
+
 std::shared_ptr<const ValueNode> NodeGraph::Node::made_value(NodeResources& resources) const
 {
-    return value ? value : type->make_value(options, resources);
+    return value && fits(resources) ? value : type->make_value(options, resources);
 }
 
 std::shared_ptr<const ClosureNode> NodeGraph::Node::made_closure(NodeResources& resources) const
 {
-    return closure ? closure : type->make_closure(options, resources);
+    return closure && fits(resources) ? closure : type->make_closure(options, resources);
 }
 
 const NodeGraph::Node& NodeGraph::checked(std::size_t node) const

@@ -27,15 +27,20 @@ public:
         const NodeType* type = nullptr;
         NodeOptions options;
         std::vector<Source> inputs;  // one a socket of the type
-        // As checked when it was added, where nothing of a scene is in it; the one that fits the
-        // role, or none.
+        // As checked when it was added, where nothing of a scene is in it but the usual working
+        // space; the one that fits the role, or none.
         std::shared_ptr<const ValueNode> value{};
         std::shared_ptr<const ClosureNode> closure{};
+        bool depends_on_space = false;
 
         // For a scene; throw std::invalid_argument for a texture that it does not have.
         [[nodiscard]] std::shared_ptr<const ValueNode> made_value(NodeResources& resources) const;
         [[nodiscard]] std::shared_ptr<const ClosureNode> made_closure(
             NodeResources& resources) const;
+
+    private:
+        // Whether what was made when it was added is right for a scene, too.
+        [[nodiscard]] bool fits(NodeResources& resources) const;
     };
 
     // Returns the node's number. Throws std::invalid_argument for a kind or an option that does

@@ -158,7 +158,8 @@ void add_diffuse(Bsdf& bsdf,
                     .radius = Color3f(inputs.subsurface_radius) * inputs.subsurface_scale,
                     .alpha = roughness * roughness,
                     .ior = is_skin ? inputs.subsurface_ior : polish_ior,
-                    .anisotropy = inputs.subsurface_anisotropy},
+                    .anisotropy = inputs.subsurface_anisotropy,
+                    .always_walks = inputs.subsurface_always_walks},
                    color * weight * share, normal, point, inputs.after_diffuse);
     return 1.0f - share;
 }
@@ -208,7 +209,8 @@ void add_principled(Bsdf& bsdf,
                   {.ior = point.backfacing ? 1.0f / ior : ior,
                    .specular_tint = specular_tint,
                    .film_thickness_nm = film_thickness_nm,
-                   .film_ior = point.backfacing ? film_ior / ior : film_ior});
+                   .film_ior = point.backfacing ? film_ior / ior : film_ior,
+                   .film_space = inputs.working_space});
         weight *= 1.0f - transmission;
     }
     if (max_component(weight) > 0.0f) {
@@ -219,7 +221,8 @@ void add_principled(Bsdf& bsdf,
                                                 {.ior = polish_ior,
                                                  .specular_tint = specular_tint,
                                                  .film_thickness_nm = film_thickness_nm,
-                                                 .film_ior = film_ior}));
+                                                 .film_ior = film_ior,
+                                                 .film_space = inputs.working_space}));
         }
         if (inputs.subsurface_weight > 0.0f) {
             weight *= add_subsurface_layer(bsdf, inputs, polish_ior, weight, normal, point);

@@ -45,10 +45,12 @@ struct PrincipledInputs {
     // Compensate the energy that single scattering loses (distribution MULTI_GGX).
     bool multiple_scattering = true;
     LobeKind subsurface_method = LobeKind::RandomWalk;
+    WorkingSpace working_space = WorkingSpace::Rec709;  // of all colours
     // As PathState has them.
     bool shows_reflections = true;
     bool shows_refractions = true;
     bool after_diffuse = false;
+    bool subsurface_always_walks = false;
 };
 
 // Adds its lobes, `weight` times, to a mixture seen along point.wo.

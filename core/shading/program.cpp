@@ -66,7 +66,7 @@ NodeValue ProgramRun::read(const ProgramInput& input)
         if (states_[input.step] != StepState::Done) {
             evaluate(input.step);
         }
-        return converted(values_[input.value], input.conversion);
+        return converted(values_[input.value], input.conversion, input.constant);
     }
     return input.implicit == ImplicitInput::None ? input.constant
                                                  : implicit_value(input.implicit, hit_);

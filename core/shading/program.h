@@ -17,12 +17,15 @@
 
 namespace eye_render {
 
-[[nodiscard]] inline NodeValue converted(const NodeValue& value, Conversion conversion)
+// `weights` are those of the channels in luminance.
+[[nodiscard]] inline NodeValue converted(const NodeValue& value,
+                                         Conversion conversion,
+                                         const V3f& weights)
 {
     switch (conversion) {
     case Conversion::Splat: return NodeValue(value.x);
     case Conversion::Mean: return NodeValue((value.x + value.y + value.z) / 3.0f);
-    case Conversion::Luminance: return NodeValue(luminance(Color3f(value)));
+    case Conversion::Luminance: return NodeValue(weights.dot(value));
     default: return value;
     }
 }

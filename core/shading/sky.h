@@ -2,7 +2,7 @@
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 #include "shading/node_graph.h"
 
 #include <optional>
@@ -17,10 +17,12 @@ struct SunDisc {
 
 // Of the node TEX_SKY with these options. Nothing if its sky has no disc, or if the disc is below
 // the horizon. Throws std::invalid_argument as the node does.
-[[nodiscard]] std::optional<SunDisc> sun_disc(const NodeOptions& options);
+[[nodiscard]] std::optional<SunDisc> sun_disc(const NodeOptions& options, WorkingSpace space);
 
 // Of the first such node that the output depends on and that is laid out as the world is; a sun
 // that is turned by other nodes is found by sampling alone.
-[[nodiscard]] std::optional<SunDisc> sun_shown(const NodeGraph& graph, const NodeOutput& output);
+[[nodiscard]] std::optional<SunDisc> sun_shown(const NodeGraph& graph,
+                                               const NodeOutput& output,
+                                               WorkingSpace space);
 
 }  // namespace eye_render

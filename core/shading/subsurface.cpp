@@ -20,7 +20,8 @@ namespace {
 constexpr float seen_share_of_pixel = 0.25f;
 constexpr float least_radius = 1e-8f;
 
-constexpr float largest_subsurface_anisotropy = 0.9f;
+constexpr float largest_legacy_anisotropy = 0.9f;
+constexpr float largest_anisotropy = 0.99f;
 constexpr float smallest_subsurface_ior = 1.01f;
 constexpr float largest_subsurface_ior = 3.8f;
 
@@ -94,6 +95,12 @@ constexpr Polynomial fit_f{2.40602999408f, -2.51814844609f, 9.18494908356f, -79.
     return radius * std::sqrt(3.0f * (1.0f - dipole_albedo(color, boundary)));
 }
 
+[[nodiscard]] float legacy_mean_free_path(const Lobe& lobe, float radius, float color)
+{
+    return lobe.kind == LobeKind::RandomWalkSkin ? skin_mean_free_path(radius, color, lobe.ior)
+                                                 : radius * mean_free_path_of_radius;
+}
+
 }  // namespace
 
 void add_subsurface(Bsdf& bsdf,
@@ -104,10 +111,14 @@ void add_subsurface(Bsdf& bsdf,
                     bool after_diffuse)
 {
     const Color3f radius = positive_range(inputs.radius);
-    const float least = std::max(seen_share_of_pixel * point.footprint, least_radius);
+    const float least = inputs.always_walks
+                            ? least_radius
+                            : std::max(seen_share_of_pixel * point.footprint, least_radius);
+    const bool stays =
+        after_diffuse && (!inputs.always_walks || inputs.method == LobeKind::Burley);
     Color3f below = weight;
     for (int c = 0; c < 3; ++c) {
-        if (after_diffuse || radius[c] < least) {
+        if (stays || radius[c] < least) {
             below[c] = 0.0f;
         }
     }
@@ -119,7 +130,9 @@ void add_subsurface(Bsdf& bsdf,
         lobe.ior = in_range(inputs.ior, smallest_subsurface_ior, largest_subsurface_ior);
         lobe.f0 = unit_range(inputs.color);
         lobe.edge = radius;
-        lobe.a = in_range(inputs.anisotropy, 0.0f, largest_subsurface_anisotropy);
+        lobe.a = inputs.method == LobeKind::RandomWalk
+                     ? in_range(inputs.anisotropy, -largest_anisotropy, largest_anisotropy)
+                     : in_range(inputs.anisotropy, 0.0f, largest_legacy_anisotropy);
         bsdf.add(lobe, below);
     }
     if (below != weight) {
@@ -129,6 +142,14 @@ void add_subsurface(Bsdf& bsdf,
 }
 
 float single_scattering_albedo(float color, float anisotropy)
+{
+    const float s =
+        4.09712f + 4.20863f * color - std::sqrt(9.59217f + color * (41.6808f + 17.7126f * color));
+    const float s2 = s * s;
+    return in_range((1.0f - s2) / (1.0f - anisotropy * s2), 0.0f, largest_walk_albedo);
+}
+
+float legacy_single_scattering_albedo(float color, float anisotropy)
 {
     const float g = anisotropy;
     const float a = value_of(fit_a, g);
@@ -150,11 +171,15 @@ SubsurfaceMedium subsurface_medium(const Lobe& lobe)
         const float color = lobe.f0[c];
         // Lobes without a channel may have any radius there.
         const float radius = std::max(lobe.edge[c], least_radius);
-        const float mean_free_path = lobe.kind == LobeKind::RandomWalkSkin
-                                         ? skin_mean_free_path(radius, color, lobe.ior)
-                                         : radius * mean_free_path_of_radius;
-        const float albedo = single_scattering_albedo(color, lobe.a);
-        medium.extinction[c] = 1.0f / (mean_free_path * (1.0f - lobe.a));
+        float albedo = 0.0f;
+        if (lobe.kind == LobeKind::RandomWalk) {
+            albedo = single_scattering_albedo(color, lobe.a);
+            medium.extinction[c] = 1.0f / radius;
+        } else {
+            albedo = legacy_single_scattering_albedo(color, lobe.a);
+            medium.extinction[c] =
+                1.0f / (legacy_mean_free_path(lobe, radius, color) * (1.0f - lobe.a));
+        }
         medium.albedo[c] = std::max(albedo, least_walk_albedo);
         medium.entering[c] =
             color > 0.0f ? std::min(albedo / least_walk_albedo, 1.0f) / color : 0.0f;

@@ -81,12 +81,10 @@ struct PolarizedBoundary {
 }
 
 // An even spectrum is white: XYZ are scaled by the white point's first.
-[[nodiscard]] Color3f rec709_from_even_xyz(const V3f& even)
+[[nodiscard]] Color3f rgb_from_even_xyz(const V3f& even, WorkingSpace space)
 {
-    const V3f xyz = even * V3f(0.95047f, 1.0f, 1.08883f);
-    const Color3f rgb(3.2404542f * xyz.x - 1.5371385f * xyz.y - 0.4985314f * xyz.z,
-                      -0.9692660f * xyz.x + 1.8760108f * xyz.y + 0.0415560f * xyz.z,
-                      0.0556434f * xyz.x - 0.2040259f * xyz.y + 1.0572252f * xyz.z);
+    const V3f white = xyz_from_rgb(Color3f(1.0f), space);
+    const Color3f rgb = rgb_from_xyz(even * white, space);
     return {std::clamp(rgb.x, 0.0f, 1.0f), std::clamp(rgb.y, 0.0f, 1.0f),
             std::clamp(rgb.z, 0.0f, 1.0f)};
 }
@@ -105,7 +103,8 @@ constexpr float thin_nm = 30.0f;
 Color3f film_reflectance(float cos_incident,
                          float film_thickness_nm,
                          float film_ior,
-                         float base_ior)
+                         float base_ior,
+                         WorkingSpace space)
 {
     const float ior = faded_ior(film_ior, film_thickness_nm);
     const DielectricFresnel into_film = fresnel_dielectric(cos_incident, ior);
@@ -118,18 +117,21 @@ Color3f film_reflectance(float cos_incident,
     const PolarizedBoundary top(cos_incident, cos_film, ior);
     const PolarizedBoundary bottom(cos_film, into_base.cos_transmitted, base_ior / ior);
     const float path_nm = 2.0f * ior * film_thickness_nm * cos_film;
-    return rec709_from_even_xyz((airy_sum(top.across, bottom.across, path_nm) +
-                                 airy_sum(top.parallel, bottom.parallel, path_nm)) *
-                                0.5f);
+    return rgb_from_even_xyz((airy_sum(top.across, bottom.across, path_nm) +
+                              airy_sum(top.parallel, bottom.parallel, path_nm)) *
+                                 0.5f,
+                             space);
 }
 
 Color3f tinted_film_reflectance(float cos_incident,
                                 float film_thickness_nm,
                                 float film_ior,
                                 float base_ior,
-                                const Color3f& f0)
+                                const Color3f& f0,
+                                WorkingSpace space)
 {
-    Color3f reflectance = film_reflectance(cos_incident, film_thickness_nm, film_ior, base_ior);
+    Color3f reflectance =
+        film_reflectance(cos_incident, film_thickness_nm, film_ior, base_ior, space);
     const float untinted = f0_from_ior(base_ior);
     constexpr float least_f0 = 1e-5f;  // there is nothing to scale below it
     if (untinted <= least_f0 || reflectance == Color3f(1.0f)) {

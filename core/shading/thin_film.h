@@ -1,10 +1,10 @@
 // Reflectance of a boundary under a film about as thick as light's wavelength: Belcour & Barla
 // 2017, "A Practical Extension to Microfacet Theory for the Modeling of Varying Iridescence".
-// Linear Rec. 709 of a spectrum that is even; indices are over that of the near side.
+// A spectrum that is even is white; indices are over that of the near side.
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 
 namespace eye_render {
 
@@ -15,13 +15,15 @@ inline constexpr float thinnest_film_nm = 0.1f;
 [[nodiscard]] Color3f film_reflectance(float cos_incident,
                                        float film_thickness_nm,
                                        float film_ior,
-                                       float base_ior);
+                                       float base_ior,
+                                       WorkingSpace space);
 
 // The same where the boundary is tinted to reflect `f0` at normal incidence without the film.
 [[nodiscard]] Color3f tinted_film_reflectance(float cos_incident,
                                               float film_thickness_nm,
                                               float film_ior,
                                               float base_ior,
-                                              const Color3f& f0);
+                                              const Color3f& f0,
+                                              WorkingSpace space);
 
 }  // namespace eye_render

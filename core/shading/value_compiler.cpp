@@ -51,14 +51,16 @@ ProgramInput ValueCompiler::linked(const NodeOutput& from, SocketType to)
                                     " is a shader; expected a value");
     }
     const Conversion conversion = conversion_between(type, to);
+    const V3f weights = luminance_weights(resources_.working_space());
     const Compiled& compiled = compile(from.node);
     if (compiled.step == ProgramInput::none) {
-        return {.constant = converted(compiled.constants[from.output], conversion)};
+        return {.constant = converted(compiled.constants[from.output], conversion, weights)};
     }
     if (node.type->outputs[from.output].reads_active_uv) {
         static_cast<void>(resources_.uv_layer(""));
     }
-    return {.step = compiled.step,
+    return {.constant = weights,
+            .step = compiled.step,
             .value = place_of(steps_[static_cast<std::size_t>(compiled.step)], from.output),
             .conversion = conversion};
 }

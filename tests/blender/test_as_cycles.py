@@ -11,9 +11,11 @@ import pytest
 from mathutils import Matrix
 from scenes import add_node, add_object, node_material, quad_mesh, surface
 from tools.engines import SET_UP, keep_all_light
+from tools.meshes import cube_mesh
 
 LAMP_TOLERANCE = 0.003
 MATERIAL_TOLERANCE = 0.005
+SUBSURFACE_TOLERANCE = 0.01  # walks are cut off after many flights
 
 
 @pytest.fixture
@@ -108,3 +110,24 @@ def test_principled_is_as_bright(scene, floor, brightness_ratio, look, light):
         scene.world.node_tree.links.new(background.outputs[0], output.inputs["Surface"])
         background.inputs["Color"].default_value = (0.7, 0.8, 1.0, 1.0)
     assert brightness_ratio() == pytest.approx(1.0, abs=MATERIAL_TOLERANCE)
+
+
+SUBSURFACE = bpy.types.ShaderNodeSubsurfaceScattering.bl_rna.properties["falloff"]
+
+
+@pytest.mark.parametrize("anisotropy", [0.0, 0.5, 0.95])
+@pytest.mark.parametrize("method", [item.identifier for item in SUBSURFACE.enum_items])
+def test_subsurface_scattering_is_as_bright(scene, brightness_ratio, method, anisotropy):
+    shown = add_object(cube_mesh(), "Cube")
+    shown.location = (0.0, 0.0, -4.0)
+    material = node_material()
+    node = surface(material, "ShaderNodeSubsurfaceScattering", falloff=method)
+    node.inputs["Color"].default_value = (0.8, 0.5, 0.2, 1.0)
+    node.inputs["Scale"].default_value = 0.1
+    if "Anisotropy" in node.inputs:
+        node.inputs["Anisotropy"].default_value = anisotropy
+    shown.data.materials.append(material)
+    scene.world = bpy.data.worlds.new("World")
+    scene.world.use_nodes = True
+    scene.world.node_tree.nodes["Background"].inputs["Color"].default_value = (1.0, 1.0, 1.0, 1.0)
+    assert brightness_ratio() == pytest.approx(1.0, abs=SUBSURFACE_TOLERANCE)

@@ -50,7 +50,7 @@ def test_a_module_for_another_python_is_said_with_both_versions(
         ('camera.eye_render.right.text = "-2.00 -0.75"', "Prescription of the right eye: "),
         ('camera.type = "ORTHO"', "an eye needs a perspective camera"),
         ('camera.type = "PANO"', "an eye needs a perspective camera"),
-        ("camera.clip_start, camera.clip_end = 2, 1", "Error: Camera 'Camera': clip"),
+        ("camera.clip_start, camera.clip_end = 2, 1", "Camera 'Camera': clip"),
     ],
 )
 def test_what_cannot_be_rendered_exits_with_status_1_and_no_picture(

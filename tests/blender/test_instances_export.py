@@ -3,9 +3,7 @@ from types import SimpleNamespace
 import bpy
 import numpy as np
 import pytest
-from eye_render import compat
 from eye_render.cryptomatte import MatteNames
-from eye_render.export import export_scene
 from eye_render.export.image import ImageTable
 from eye_render.export.instances import export_instances
 from eye_render.export.light import LightTable
@@ -345,16 +343,6 @@ def test_grease_pencil_is_said_to_be_drawn_by_blender(scene, export):
         bpy.ops.object.grease_pencil_add(type="STROKE")
     (warning,) = export().warnings
     assert "drawn over the picture by Blender" in warning
-
-
-def test_another_working_space_is_said(scene, depsgraph_of, monkeypatch):
-    warnings = []
-    export_scene(depsgraph_of(), warnings.append, lambda: None)
-    assert warnings == []
-    monkeypatch.setattr(compat, "working_space", lambda: "ACEScg")
-    export_scene(depsgraph_of(), warnings.append, lambda: None)
-    (warning,) = warnings
-    assert "ACEScg" in warning
 
 
 def test_what_geometry_nodes_give_to_instances_is_named_as_not_read(scene, depsgraph_of):

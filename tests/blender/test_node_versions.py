@@ -6,6 +6,7 @@ Blender 3.4.1 had saved.
 
 from types import SimpleNamespace
 
+import bpy
 import pytest
 from eye_render.export.nodes.flat import Input, Node
 from eye_render.export.nodes.versions import modernize
@@ -144,7 +145,7 @@ def test_specular_tint_is_of_the_colour_that_subsurface_mixed():
 
 @pytest.mark.parametrize(
     ("old", "new"),
-    [("RANDOM_WALK", "RANDOM_WALK_SKIN"), ("RANDOM_WALK_FIXED_RADIUS", "RANDOM_WALK")],
+    [("RANDOM_WALK", "RANDOM_WALK_SKIN"), ("RANDOM_WALK_FIXED_RADIUS", "RANDOM_WALK_LEGACY")],
 )
 def test_random_walks_have_their_new_names(old, new):
     node = Node("BSDF_PRINCIPLED", "", {"subsurface_method": old})
@@ -159,11 +160,19 @@ def test_random_walks_have_their_new_names(old, new):
 
 
 def test_the_principled_of_blender_4_stays_as_it_is():
-    node = Node("BSDF_PRINCIPLED", "", {"subsurface_method": "RANDOM_WALK"})
+    node = Node("BSDF_PRINCIPLED", "", {"subsurface_method": "RANDOM_WALK_SKIN"})
     node.inputs = {"Specular IOR Level": number(0.5), "Specular Tint": color((1, 0, 0))}
     before = dict(node.inputs)
     modernize(node)
-    assert (node.inputs, node.options["subsurface_method"]) == (before, "RANDOM_WALK")
+    assert (node.inputs, node.options["subsurface_method"]) == (before, "RANDOM_WALK_SKIN")
+
+
+def test_a_random_walk_is_that_of_this_blender():
+    node = Node("SUBSURFACE_SCATTERING", "", {"falloff": "RANDOM_WALK"})
+    node.inputs = {"Roughness": number(1.0)}
+    modernize(node)
+    expected = "RANDOM_WALK_LEGACY" if bpy.app.version < (5, 2, 0) else "RANDOM_WALK"
+    assert node.options["falloff"] == expected
 
 
 @pytest.mark.parametrize("kind", ["BSDF_GLOSSY", "BSDF_GLASS", "BSDF_REFRACTION"])

@@ -26,8 +26,8 @@ FORMER_SOCKETS = {
     "Emission Color": "Emission",
 }
 
-# Methods of subsurface scattering, under their former names and under those of Blender 4.
-WALK = ("RANDOM_WALK_FIXED_RADIUS", "RANDOM_WALK")
+# Methods of subsurface scattering as Blender 4 has them, under the names of before and since.
+WALK = ("RANDOM_WALK_FIXED_RADIUS", "RANDOM_WALK_LEGACY", "RANDOM_WALK")
 SKIN = ("RANDOM_WALK_SKIN", "RANDOM_WALK")
 
 

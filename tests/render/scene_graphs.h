@@ -23,6 +23,7 @@ public:
         return number_of(name, data_.attribute_names);
     }
     void require_texture(int) override {}
+    [[nodiscard]] WorkingSpace working_space() override { return data_.working_space; }
 
 private:
     [[nodiscard]] static int number_of(const std::string& name, std::vector<std::string>& names)

@@ -112,7 +112,8 @@ TEST(Chromatic, navarros_dispersion_widens_an_edge_by_each_channels_light)
     V3d expected(0.0);
     for (double nm = min_display_nm; nm <= max_display_nm; nm += 1.0) {
         const double error_d = mean_conjugate_d(system, RefractionZero::Paraxial, pupil_m, nm);
-        expected += display_primaries(nm) * std::pow(0.25 * pupil_m * error_d, 2);
+        expected +=
+            display_primaries(nm, WorkingSpace::Rec709) * std::pow(0.25 * pupil_m * error_d, 2);
     }
     const std::shared_ptr<const EyeModel> navarro =
         make_eye({.model = EyeModelKind::Navarro, .pupil_diameter_m = pupil_m});

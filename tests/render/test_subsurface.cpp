@@ -14,7 +14,8 @@ namespace {
 using test::Estimate;
 using test::estimate;
 
-constexpr const char* methods[] = {"RANDOM_WALK", "RANDOM_WALK_SKIN", "BURLEY"};
+constexpr const char* methods[] = {"RANDOM_WALK", "RANDOM_WALK_LEGACY", "RANDOM_WALK_SKIN",
+                                   "BURLEY"};
 
 Material below(const char* method, const V3f& color, const V3f& radius, float anisotropy = 0.0f)
 {
@@ -46,8 +47,9 @@ Estimate seen(const SceneData& data, int paths, int max_bounces = 1)
 TEST(Subsurface, white_ball_vanishes_in_a_white_world)
 {
     // Light in white skin goes a six hundredth of the radius at a time.
-    for (const auto& [method, radius] :
-         {std::pair{"RANDOM_WALK", 1.0f}, {"RANDOM_WALK_SKIN", 60.0f}}) {
+    for (const auto& [method, radius] : {std::pair{"RANDOM_WALK", 0.1f},
+                                         {"RANDOM_WALK_LEGACY", 1.0f},
+                                         {"RANDOM_WALK_SKIN", 60.0f}}) {
         for (const float anisotropy : {0.0f, 0.8f}) {
             const SceneData data =
                 ball_in_white_world(below(method, V3f(1.0f), V3f(radius), anisotropy));
@@ -69,8 +71,10 @@ TEST(Subsurface, what_does_not_go_far_is_diffuse)
         EXPECT_EQ(none.mean, diffuse.mean) << method;
     }
     // Skin's radius is another length.
-    for (const char* method : {"RANDOM_WALK", "BURLEY"}) {
-        const Estimate little = seen(ball_in_white_world(below(method, color, V3f(0.01f))), 20000);
+    for (const auto& [method, radius] :
+         {std::pair{"RANDOM_WALK", 0.001f}, {"RANDOM_WALK_LEGACY", 0.01f}, {"BURLEY", 0.01f}}) {
+        const Estimate little =
+            seen(ball_in_white_world(below(method, color, V3f(radius))), 20000);
         EXPECT_NEAR(little.mean, diffuse.mean, 4.0 * little.standard_error + 0.02) << method;
     }
 }

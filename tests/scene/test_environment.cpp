@@ -361,14 +361,14 @@ TEST(Environment, the_sun_of_a_sky_is_aimed_at)
     graph.link(background, "Color", graph.output(sky, "Color"));
     const NodeOutput surface = graph.output(background, "Background");
     World aimed;
-    aimed.build(graph, surface, sun_disc(options));
+    aimed.build(graph, surface, sun_disc(options, WorkingSpace::Rec709));
     World unaimed;
     unaimed.build(graph, surface);
     const Estimate with = irradiance(aimed.environment);
     const Estimate without = irradiance(unaimed.environment);
     EXPECT_NEAR(with.mean, without.mean, 4.0 * without.standard_error);
     EXPECT_LT(with.standard_error, 0.7 * without.standard_error);
-    const V3f to_sun = sun_disc(options)->direction;
+    const V3f to_sun = sun_disc(options, WorkingSpace::Rec709)->direction;
     EXPECT_GT(aimed.environment.pdf(to_sun), 0.5f * unaimed.environment.pdf(to_sun));
 }
 

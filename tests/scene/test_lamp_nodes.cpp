@@ -21,6 +21,7 @@ public:
     [[nodiscard]] int uv_layer(const std::string&) override { return 0; }
     [[nodiscard]] int attribute(const std::string&) override { return 0; }
     void require_texture(int) override {}
+    [[nodiscard]] WorkingSpace working_space() override { return WorkingSpace::Rec709; }
 };
 
 // Shines with what that output of the node says.

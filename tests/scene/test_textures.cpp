@@ -144,6 +144,21 @@ TEST(Textures, associated_colour_is_dimmed_before_it_is_decoded)
     expect_near(set.lookup(floats, middle), {4.0f, 2.0f, 1.0f, 0.5f}, 1e-6f, "straight");
 }
 
+TEST(Textures, are_in_the_working_space)
+{
+    TextureSet set(WorkingSpace::AcesCg);
+    const std::vector<float> red = {1.0f, 0.0f, 0.0f, 1.0f};
+    const auto read_as = [&](Colorspace colorspace) {
+        return set.lookup(set.add_pixels("r", PixelsF32{1, 1, red}, {.colorspace = colorspace}),
+                          V2f(0.5f));
+    };
+    const Color4f converted(0.613097f, 0.070194f, 0.020616f, 1.0f);
+    expect_near(read_as(Colorspace::Srgb), converted, 1e-4f, "sRGB");
+    expect_near(read_as(Colorspace::LinearRec709), converted, 1e-4f, "Rec. 709");
+    expect_near(read_as(Colorspace::Linear), {1.0f, 0.0f, 0.0f, 1.0f}, 0.0f, "already");
+    expect_near(read_as(Colorspace::NonColor), {1.0f, 0.0f, 0.0f, 1.0f}, 0.0f, "data");
+}
+
 TEST(Textures, alpha_that_is_packed_or_ignored_dims_nothing)
 {
     TextureSet set;

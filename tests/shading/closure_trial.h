@@ -19,6 +19,7 @@ public:
     [[nodiscard]] int uv_layer(const std::string& /*name*/) override { return 0; }
     [[nodiscard]] int attribute(const std::string& /*name*/) override { return 0; }
     void require_texture(int /*texture*/) override {}
+    [[nodiscard]] WorkingSpace working_space() override { return WorkingSpace::Rec709; }
 };
 
 [[nodiscard]] inline const NodeType& closure_type_named(std::string_view name)

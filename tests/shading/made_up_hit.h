@@ -89,8 +89,10 @@ public:
         return name.ends_with(".tangent") ? tangents : number_of(name);
     }
     void require_texture(int texture) override { textures.push_back(texture); }
+    [[nodiscard]] WorkingSpace working_space() override { return space; }
 
     std::map<std::string, int> names;
+    WorkingSpace space = WorkingSpace::Rec709;
     std::vector<std::string> uv_layers;
     std::vector<std::string> attributes;
     std::vector<int> textures;

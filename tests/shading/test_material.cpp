@@ -140,6 +140,7 @@ TEST(Material, remembers_what_it_reads_of_the_scene_once_each)
         }
         [[nodiscard]] int attribute(const std::string&) override { return 5; }
         void require_texture(int) override {}
+        [[nodiscard]] WorkingSpace working_space() override { return WorkingSpace::Rec709; }
     };
     GraphTrial trial;
     const std::size_t map = trial.add("UVMAP", {{"uv_map", "b"}});

@@ -63,7 +63,7 @@ TEST(Sky, disc_is_where_the_sky_shows_it)
 {
     const Options options{
         {"sun_elevation", 0.4}, {"sun_rotation", 2.0}, {"sun_size", 0.02}, {"dust_density", 0.5}};
-    const std::optional<SunDisc> disc = sun_disc(NodeOptions(options));
+    const std::optional<SunDisc> disc = sun_disc(NodeOptions(options), WorkingSpace::Rec709);
     ASSERT_TRUE(disc);
     EXPECT_NEAR(disc->direction.z, std::sin(0.4f), 1e-6f);
     EXPECT_NEAR(std::atan2(disc->direction.x, disc->direction.y), 2.0f, 1e-6f);
@@ -86,7 +86,7 @@ TEST(Sky, disc_of_twice_the_width_is_a_quarter_as_bright)
 {
     const auto middle = [](double size) {
         const Options options{{"sun_elevation", 0.9}, {"sun_size", size}};
-        return sun_disc(NodeOptions(options))->radiance.y;
+        return sun_disc(NodeOptions(options), WorkingSpace::Rec709)->radiance.y;
     };
     // The air over a wider disc varies more, and small solid angles round.
     EXPECT_NEAR(middle(0.04) / middle(0.08), 4.0f, 0.02f);
@@ -94,10 +94,10 @@ TEST(Sky, disc_of_twice_the_width_is_a_quarter_as_bright)
 
 TEST(Sky, has_no_disc_when_it_is_told_so_or_the_sun_is_down)
 {
-    EXPECT_TRUE(sun_disc(NodeOptions(Options{{"sun_elevation", -0.004}})));
-    EXPECT_FALSE(sun_disc(NodeOptions(Options{{"sun_elevation", -0.006}})));
-    EXPECT_FALSE(sun_disc(NodeOptions(Options{{"sun_disc", 0.0}})));
-    EXPECT_FALSE(sun_disc(NodeOptions(Options{{"sky_type", "PREETHAM"}})));
+    EXPECT_TRUE(sun_disc(NodeOptions(Options{{"sun_elevation", -0.004}}), WorkingSpace::Rec709));
+    EXPECT_FALSE(sun_disc(NodeOptions(Options{{"sun_elevation", -0.006}}), WorkingSpace::Rec709));
+    EXPECT_FALSE(sun_disc(NodeOptions(Options{{"sun_disc", 0.0}}), WorkingSpace::Rec709));
+    EXPECT_FALSE(sun_disc(NodeOptions(Options{{"sky_type", "PREETHAM"}}), WorkingSpace::Rec709));
 }
 
 TEST(Sky, is_as_bright_left_of_the_sun_as_right_of_it)
@@ -129,6 +129,19 @@ TEST(Sky, is_finite_in_every_direction)
     }
 }
 
+TEST(Sky, sun_of_blender_5_does_not_hide_the_sky_behind_it)
+{
+    const V3f to_sun = sun_disc(NodeOptions(Options{}), WorkingSpace::Rec709)->direction;
+    const auto seen = [&](Options options) {
+        NodeTrial sky(sky_nodes()[0], std::move(options));
+        return sky.set("Vector", to_sun)("Color");
+    };
+    const V3f sky = seen({{"sun_disc", 0.0}});
+    const V3f both = seen({{"sky_type", "NISHITA"}}) + sky;
+    EXPECT_GT(sky.length(), 1e-5f * both.length());
+    EXPECT_LE((seen({{"sky_type", "SINGLE_SCATTERING"}}) - both).length(), 1e-6f * both.length());
+}
+
 TEST(Sky, refuses_what_it_does_not_model)
 {
     const auto make = [](Options options) {
@@ -138,7 +151,7 @@ TEST(Sky, refuses_what_it_does_not_model)
     EXPECT_THROW(make({{"air_density", -1.0}}), std::invalid_argument);
     EXPECT_THROW(make({{"sky_type", "PREETHAM"}, {"turbidity", 0.0}}), std::invalid_argument);
     const Options single{{"sky_type", "SINGLE_SCATTERING"}};  // Nishita's in Blender 5
-    EXPECT_TRUE(sun_disc(NodeOptions(single)));
+    EXPECT_TRUE(sun_disc(NodeOptions(single), WorkingSpace::Rec709));
 }
 
 }  // namespace

@@ -30,14 +30,28 @@ TEST(SubsurfaceMedium, half_space_has_the_color_that_was_asked_for)
 {
     for (const float anisotropy : {0.0f, 0.3f, 0.6f}) {
         for (const float color : {0.05f, 0.1f, 0.3f, 0.5f, 0.7f, 0.9f, 0.97f}) {
-            const double albedo = static_cast<double>(single_scattering_albedo(color, anisotropy));
+            const double albedo =
+                static_cast<double>(legacy_single_scattering_albedo(color, anisotropy));
             EXPECT_NEAR(half_space_albedo(albedo, static_cast<double>(anisotropy)),
                         static_cast<double>(color), color > 0.7f ? 0.1 : 0.015)
                 << "color " << color << ", anisotropy " << anisotropy;
         }
     }
-    EXPECT_EQ(single_scattering_albedo(0.0f, 0.0f), 0.0f);
-    EXPECT_GT(single_scattering_albedo(1.0f, 0.0f), 0.9999f);
+    EXPECT_EQ(legacy_single_scattering_albedo(0.0f, 0.0f), 0.0f);
+    EXPECT_GT(legacy_single_scattering_albedo(1.0f, 0.0f), 0.9999f);
+}
+
+TEST(SubsurfaceMedium, half_space_of_the_newer_walk_has_its_color_at_any_anisotropy)
+{
+    constexpr double rounding_of_fit = 1e-3;
+    for (const float anisotropy : {-0.9f, 0.0f, 0.35f, 0.9f}) {
+        for (const float color : {0.0f, 0.05f, 0.5f, 0.9f, 0.97f}) {
+            const double albedo = static_cast<double>(single_scattering_albedo(color, anisotropy));
+            EXPECT_NEAR(half_space_albedo(albedo, static_cast<double>(anisotropy)),
+                        static_cast<double>(color), rounding_of_fit)
+                << "color " << color << ", anisotropy " << anisotropy;
+        }
+    }
 }
 
 Lobe lobe_of(LobeKind method, const Color3f& color, float radius, float anisotropy = 0.0f)
@@ -53,12 +67,17 @@ Lobe lobe_of(LobeKind method, const Color3f& color, float radius, float anisotro
 TEST(SubsurfaceMedium, color_comes_of_the_medium_and_not_of_the_lobe)
 {
     for (const float color : {0.02f, 0.1f, 0.8f}) {
-        const Lobe lobe = lobe_of(LobeKind::RandomWalk, Color3f(color), 1.0f);
-        const SubsurfaceMedium medium = subsurface_medium(lobe);
-        // One scattering takes the same, whether in the medium or where light enters it.
-        EXPECT_NEAR(medium.entering.x * color * medium.albedo.x,
-                    single_scattering_albedo(color, 0.0f), 1e-6f);
-        EXPECT_GE(medium.albedo.x, least_walk_albedo);
+        for (const LobeKind method : {LobeKind::RandomWalk, LobeKind::RandomWalkLegacy}) {
+            const SubsurfaceMedium medium =
+                subsurface_medium(lobe_of(method, Color3f(color), 1.0f));
+            // One scattering takes the same, whether in the medium or where light enters it.
+            EXPECT_NEAR(medium.entering.x * color * medium.albedo.x,
+                        method == LobeKind::RandomWalk
+                            ? single_scattering_albedo(color, 0.0f)
+                            : legacy_single_scattering_albedo(color, 0.0f),
+                        1e-6f);
+            EXPECT_GE(medium.albedo.x, least_walk_albedo);
+        }
     }
     EXPECT_EQ(subsurface_medium(lobe_of(LobeKind::RandomWalk, Color3f(0.0f), 1.0f)).entering.x,
               0.0f);
@@ -67,11 +86,13 @@ TEST(SubsurfaceMedium, color_comes_of_the_medium_and_not_of_the_lobe)
 // The reduced extinction is what diffusion is of.
 TEST(SubsurfaceMedium, light_goes_as_far_however_it_is_scattered)
 {
+    EXPECT_FLOAT_EQ(
+        subsurface_medium(lobe_of(LobeKind::RandomWalk, Color3f(0.9f), 2.0f)).extinction.x, 0.5f);
     const SubsurfaceMedium even =
-        subsurface_medium(lobe_of(LobeKind::RandomWalk, Color3f(0.9f), 2.0f));
+        subsurface_medium(lobe_of(LobeKind::RandomWalkLegacy, Color3f(0.9f), 2.0f));
     EXPECT_FLOAT_EQ(even.extinction.x, 2.0f * std::numbers::pi_v<float>);
     const SubsurfaceMedium forward =
-        subsurface_medium(lobe_of(LobeKind::RandomWalk, Color3f(0.9f), 2.0f, 0.8f));
+        subsurface_medium(lobe_of(LobeKind::RandomWalkLegacy, Color3f(0.9f), 2.0f, 0.8f));
     const SubsurfaceMedium reduced = even_medium(forward);
     EXPECT_EQ(reduced.anisotropy, 0.0f);
     // What is absorbed stays, and of what is scattered the part that goes on is gone.

@@ -4,8 +4,9 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import compat, core, passes
+from .. import core, passes
 from ..cryptomatte import MatteNames
+from ..working_space import working_space
 from .image import ImageTable
 from .instances import export_instances
 from .light import LightTable
@@ -25,12 +26,7 @@ def export_scene(
     `warn` takes a sentence for the user; `check_cancel` raises to stop the export; `motion` is
     what was found while the shutter is open, if anybody looked.
     """
-    core_scene = core.require().Scene()
-    if compat.working_space() != "Linear Rec.709":
-        warn(
-            f"Blender's working space is {compat.working_space()}, but pictures and the eye's "
-            "luminances are taken as Linear Rec.709"
-        )
+    core_scene = core.require().Scene(working_space=working_space(warn))
     images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
     view_layer = depsgraph.view_layer_eval
     materials = MaterialTable(

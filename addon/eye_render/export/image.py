@@ -6,6 +6,7 @@ from pathlib import Path
 import bpy
 import numpy as np
 
+from ..working_space import working_space
 from . import image_file
 
 # As Cycles has it on a processor, Smart is Cubic.
@@ -13,8 +14,15 @@ _INTERPOLATIONS = {"Smart": "Cubic"}
 # What the alpha of a file is, Cycles takes from the file.
 _ALPHA_MODES = {"PREMUL": "STRAIGHT"}
 _EXTENSIONS = {"REPEAT", "EXTEND", "CLIP"}
-_DATA_COLORSPACES = {"Non-Color", "Raw"}
-_LINEAR_COLORSPACES = {"Linear", "Linear Rec.709", "scene_linear"}
+# The core's names of colour spaces by Blender's. What is Linear is in the working space.
+_COLORSPACES = {
+    "sRGB": "sRGB",
+    "Linear": "Linear Rec.709",  # so called before Blender 4.0
+    "Linear Rec.709": "Linear Rec.709",
+    "scene_linear": "Linear",
+    "Non-Color": "Non-Color",
+    "Raw": "Non-Color",
+}
 MISSING_COLOR = (1.0, 0.0, 1.0)
 
 
@@ -42,7 +50,7 @@ class ImageTable:
             path = image_file.of_frame(image, user, self._frame)
             return self._file(image, path, extension, interpolation)
         is_file = image.source == "FILE" and not image.packed_files and not image.is_dirty
-        if is_file and (_is_known(image) or not image.is_float):
+        if is_file and (_known_colorspace(image) or not image.is_float):
             return self._file(image, image_file.of_image(image), extension, interpolation)
         return self._once(image, "", extension, interpolation, self._add_pixels)
 
@@ -99,7 +107,7 @@ class ImageTable:
         pixels = np.empty((height, width, 4), np.float32)
         image.pixels.foreach_get(pixels.ravel())
         if image.is_float:  # Blender has made these linear already, whatever they were
-            is_data = image.colorspace_settings.name in _DATA_COLORSPACES
+            is_data = _known_colorspace(image) == "Non-Color"
             colorspace = "Non-Color" if is_data else "Linear"
         else:
             pixels = np.rint(pixels * 255.0).astype(np.uint8)
@@ -109,17 +117,14 @@ class ImageTable:
         )
 
     def _colorspace(self, image: bpy.types.Image) -> str:
-        name = image.colorspace_settings.name
-        if name in _DATA_COLORSPACES:
-            return "Non-Color"
-        if name in _LINEAR_COLORSPACES:
-            return "Linear"
-        if not _is_known(image):
+        known = _known_colorspace(image)
+        if known is None:
+            name = image.colorspace_settings.name
             self._warn(f"Image '{image.name}': colour space {name} is read as sRGB")
-        return "sRGB"
+        return known or "sRGB"
 
 
-def _is_known(image: bpy.types.Image) -> bool:
-    """Whether the core reads the image's colour space itself."""
+def _known_colorspace(image: bpy.types.Image) -> str | None:
+    """What the core calls the image's colour space, if it reads it itself."""
     name = image.colorspace_settings.name
-    return name == "sRGB" or name in _DATA_COLORSPACES | _LINEAR_COLORSPACES
+    return "Linear" if name == working_space() else _COLORSPACES.get(name)

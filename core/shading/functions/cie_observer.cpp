@@ -60,11 +60,4 @@ V3f xyz_of_wavelength(float wavelength_nm)
     return {std::lerp(a.x, b.x, t), std::lerp(a.y, b.y, t), std::lerp(a.z, b.z, t)};
 }
 
-Color3f rgb_from_xyz(const V3f& xyz)
-{
-    return {3.2404542f * xyz.x - 1.5371385f * xyz.y - 0.4985314f * xyz.z,
-            -0.9692660f * xyz.x + 1.8760108f * xyz.y + 0.0415560f * xyz.z,
-            0.0556434f * xyz.x - 0.2040259f * xyz.y + 1.0572252f * xyz.z};
-}
-
 }  // namespace eye_render

@@ -15,8 +15,4 @@ inline constexpr int observer_count = 81;  // to 780 nm
 // table's rows, and on for one step before the first as Blender has it; 0 outside.
 [[nodiscard]] V3f xyz_of_wavelength(float wavelength_nm);
 
-// Linear Rec. 709 of X, Y and Z whose white is D65 (IEC 61966-2-1). Colours out of the display's
-// gamut have negative channels.
-[[nodiscard]] Color3f rgb_from_xyz(const V3f& xyz);
-
 }  // namespace eye_render

@@ -7,13 +7,13 @@
 
 namespace eye_render {
 
-Color3f rgb_of_wavelength(float wavelength_nm)
+Color3f rgb_of_wavelength(float wavelength_nm, WorkingSpace space)
 {
-    constexpr float largest_channel = 2.52f;  // red near 605 nm, as Blender rounds it
-    return not_negative(rgb_from_xyz(xyz_of_wavelength(wavelength_nm)) / largest_channel);
+    constexpr float largest_channel = 2.52f;  // Rec. 709's red near 605 nm, as Blender rounds it
+    return not_negative(rgb_from_xyz(xyz_of_wavelength(wavelength_nm), space) / largest_channel);
 }
 
-Color3f rgb_of_blackbody(float temperature_k)
+Color3f rgb_of_blackbody(float temperature_k, WorkingSpace space)
 {
     constexpr float coldest_k = 800.0f;
     constexpr float hottest_k = 12000.0f;
@@ -33,7 +33,7 @@ Color3f rgb_of_blackbody(float temperature_k)
                                 std::expm1(second_radiation_constant_nm_k / (wavelength_nm * t));
         xyz += xyz_of_wavelength(static_cast<float>(wavelength_nm)) * static_cast<float>(radiance);
     }
-    return not_negative(rgb_from_xyz(xyz / xyz.y));
+    return not_negative(rgb_from_xyz(xyz / xyz.y, space));
 }
 
 }  // namespace eye_render

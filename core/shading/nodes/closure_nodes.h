@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <type_traits>
 
 namespace eye_render {
 
@@ -20,12 +21,17 @@ inline constexpr auto bsdf_output = std::to_array<OutputSocket>({{"BSDF", Socket
 // Blender's Tangent node gives it.
 [[nodiscard]] V3f tangent_input_value(const NodeInputs& in, std::size_t input);
 
-// For NodeType::make_closure: the node is made from its options.
+// For NodeType::make_closure: the node is made from its options and, if it asks for that, the
+// space that colours are in.
 template <typename Node>
 [[nodiscard]] std::unique_ptr<const ClosureNode> make_closure(const NodeOptions& options,
-                                                              NodeResources& /*resources*/)
+                                                              NodeResources& resources)
 {
-    return std::make_unique<Node>(options);
+    if constexpr (std::is_constructible_v<Node, const NodeOptions&, WorkingSpace>) {
+        return std::make_unique<Node>(options, resources.working_space());
+    } else {
+        return std::make_unique<Node>(options);
+    }
 }
 
 template <typename Node>

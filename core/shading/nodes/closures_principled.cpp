@@ -55,10 +55,11 @@ constexpr auto inputs = std::to_array<InputSocket>({
 
 class PrincipledNode : public ClosureNode {
 public:
-    explicit PrincipledNode(const NodeOptions& options)
+    PrincipledNode(const NodeOptions& options, WorkingSpace space)
         : multiple_scattering_(
               options.choice<bool>("distribution", {{"MULTI_GGX", true}, {"GGX", false}})),
-          subsurface_method_(subsurface_method(options, "subsurface_method"))
+          subsurface_method_(subsurface_method(options, "subsurface_method")),
+          always_walks_(options.is_set("always_walks", false)), space_(space)
     {
     }
 
@@ -150,6 +151,7 @@ private:
             .thin_film_thickness_nm = in.number(ThinFilmThickness),
             .multiple_scattering = multiple_scattering_,
             .subsurface_method = subsurface_method_,
+            .working_space = space_,
             .shows_reflections = in.hit().path.shows_reflections,
             .shows_refractions = in.hit().path.shows_refractions,
         };
@@ -159,6 +161,7 @@ private:
             values.subsurface_ior = in.number(SubsurfaceIor);
             values.subsurface_anisotropy = in.number(SubsurfaceAnisotropy);
             values.after_diffuse = in.hit().path.diffuse_depth > 0;
+            values.subsurface_always_walks = always_walks_;
         }
         if (values.anisotropic > 0.0f) {
             values.anisotropic_rotation = in.number(AnisotropicRotation);
@@ -174,9 +177,12 @@ private:
 
     bool multiple_scattering_;
     LobeKind subsurface_method_;
+    bool always_walks_;
+    WorkingSpace space_;
 };
 
-constexpr auto options = std::to_array<std::string_view>({"distribution", "subsurface_method"});
+constexpr auto options =
+    std::to_array<std::string_view>({"distribution", "subsurface_method", "always_walks"});
 
 }  // namespace
 

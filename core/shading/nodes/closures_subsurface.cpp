@@ -14,7 +14,8 @@ public:
     enum Input : std::size_t { Color, Scale, Radius, Ior, Roughness, Anisotropy, Normal };
 
     explicit SubsurfaceNode(const NodeOptions& options)
-        : method_(subsurface_method(options, "falloff"))
+        : method_(subsurface_method(options, "falloff")),
+          always_walks_(options.is_set("always_walks", false))
     {
     }
 
@@ -34,13 +35,15 @@ public:
                         .radius = Color3f(in.vector(Radius)) * in.number(Scale),
                         .alpha = in.number(Roughness),
                         .ior = in.number(Ior),
-                        .anisotropy = in.number(Anisotropy)},
+                        .anisotropy = in.number(Anisotropy),
+                        .always_walks = always_walks_},
                        color * weight, unit_normal(in.vector(Normal), point.ns), point,
                        in.hit().path.diffuse_depth > 0);
     }
 
 private:
     LobeKind method_;
+    bool always_walks_;
 };
 
 }  // namespace
@@ -48,6 +51,7 @@ private:
 LobeKind subsurface_method(const NodeOptions& options, const std::string& name)
 {
     return options.choice<LobeKind>(name, {{"RANDOM_WALK", LobeKind::RandomWalk},
+                                           {"RANDOM_WALK_LEGACY", LobeKind::RandomWalkLegacy},
                                            {"RANDOM_WALK_SKIN", LobeKind::RandomWalkSkin},
                                            {"BURLEY", LobeKind::Burley}});
 }
@@ -63,7 +67,7 @@ NodeType subsurface_node()
                                     number_input("Anisotropy", 0.0f),
                                     normal_input("Normal")});
     static constexpr auto outputs = std::to_array<OutputSocket>({{"BSSRDF", SocketType::Shader}});
-    static constexpr auto options = std::to_array<std::string_view>({"falloff"});
+    static constexpr auto options = std::to_array<std::string_view>({"falloff", "always_walks"});
     return closure_type<SubsurfaceNode>("SUBSURFACE_SCATTERING", inputs, outputs, options);
 }
 

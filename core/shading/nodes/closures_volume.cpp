@@ -105,7 +105,7 @@ public:
         Temperature,
     };
 
-    explicit PrincipledVolumeNode(const NodeOptions& /*options*/) {}
+    PrincipledVolumeNode(const NodeOptions& /*options*/, WorkingSpace space) : space_(space) {}
 
     [[nodiscard]] ClosureFacts facts(ConstantInputs constants) const override
     {
@@ -137,15 +137,17 @@ public:
 private:
     // Radiance of a black body by Stefan and Boltzmann's law, in Cycles' unit of 1 MW/m^2; `heat`
     // leads there from a radiance of one such unit.
-    [[nodiscard]] static Color3f glow(float temperature_k, float heat)
+    [[nodiscard]] Color3f glow(float temperature_k, float heat) const
     {
         constexpr float stefan_boltzmann = 5.670373e-8f;
         constexpr float unit_w = 1e6f;
         const float t2 = positive_range(temperature_k) * positive_range(temperature_k);
         const float power = 1.0f + (t2 * t2 - 1.0f) * heat;
-        return rgb_of_blackbody(temperature_k) *
+        return rgb_of_blackbody(temperature_k, space_) *
                (stefan_boltzmann / unit_w * std::numbers::inv_pi_v<float> * power);
     }
+
+    WorkingSpace space_;
 };
 
 constexpr auto volume_output = std::to_array<OutputSocket>({{"Volume", SocketType::Shader}});

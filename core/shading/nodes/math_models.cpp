@@ -108,19 +108,41 @@ void separate(const NodeInputs& in, std::span<NodeValue> out)
     spread(parts_from(model, in.color(0)), out);
 }
 
-void rgb_to_bw(const NodeInputs& in, std::span<NodeValue> out)
+[[nodiscard]] NodeValue grey(const NodeInputs& in, WorkingSpace space)
 {
-    out[0] = NodeValue(luminance(in.color(0)));
+    return NodeValue(luminance_weights(space).dot(in.color(0)));
 }
 
-void blackbody(const NodeInputs& in, std::span<NodeValue> out)
+[[nodiscard]] NodeValue blackbody(const NodeInputs& in, WorkingSpace space)
 {
-    out[0] = rgb_of_blackbody(in.number(0));
+    return rgb_of_blackbody(in.number(0), space);
 }
 
-void wavelength(const NodeInputs& in, std::span<NodeValue> out)
+[[nodiscard]] NodeValue wavelength(const NodeInputs& in, WorkingSpace space)
 {
-    out[0] = rgb_of_wavelength(in.number(0));
+    return rgb_of_wavelength(in.number(0), space);
+}
+
+// A node whose one output depends on what the scene's colours are.
+template <NodeValue (*function)(const NodeInputs&, WorkingSpace)>
+class SpaceNode final : public ValueNode {
+public:
+    explicit SpaceNode(WorkingSpace space) : space_(space) {}
+
+    void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
+    {
+        out[0] = function(in, space_);
+    }
+
+private:
+    WorkingSpace space_;
+};
+
+template <NodeValue (*function)(const NodeInputs&, WorkingSpace)>
+[[nodiscard]] std::unique_ptr<const ValueNode> make_space_node(const NodeOptions& /*options*/,
+                                                               NodeResources& resources)
+{
+    return std::make_unique<SpaceNode<function>>(resources.working_space());
 }
 
 constexpr float default_grey = 0.8f;
@@ -193,20 +215,19 @@ NodeType separate_hsv_node()
 
 NodeType rgb_to_bw_node()
 {
-    return value_node("RGBTOBW", Reads::InputsAlone, grey_in, value_out,
-                      make_function_node<rgb_to_bw>);
+    return value_node("RGBTOBW", Reads::InputsAlone, grey_in, value_out, make_space_node<grey>);
 }
 
 NodeType blackbody_node()
 {
     return value_node("BLACKBODY", Reads::InputsAlone, kelvin_in, color_out,
-                      make_function_node<blackbody>);
+                      make_space_node<blackbody>);
 }
 
 NodeType wavelength_node()
 {
     return value_node("WAVELENGTH", Reads::InputsAlone, wavelength_in, color_out,
-                      make_function_node<wavelength>);
+                      make_space_node<wavelength>);
 }
 
 }  // namespace eye_render

@@ -45,6 +45,8 @@ enum class SkyKind { Nishita, Preetham, HosekWilkie };
     const NishitaSettings usual;
     return {
         .has_disc = options.is_set("sun_disc", usual.has_disc),
+        .sun_hides_sky =
+            options.choice<bool>("sky_type", {{"NISHITA", true}, {"SINGLE_SCATTERING", false}}),
         .sun_size_rad = ranged(options, "sun_size", usual.sun_size_rad, 0.0, 1.5707964, "rad"),
         .sun_intensity = ranged(options, "sun_intensity", usual.sun_intensity, 0.0, 1000.0, ""),
         .sun_elevation_rad = ranged(options, "sun_elevation", usual.sun_elevation_rad,
@@ -60,7 +62,10 @@ enum class SkyKind { Nishita, Preetham, HosekWilkie };
 
 class NishitaNode final : public ValueNode {
 public:
-    explicit NishitaNode(const NodeOptions& options) : sky_(nishita_settings(options)) {}
+    NishitaNode(const NodeOptions& options, WorkingSpace space)
+        : sky_(nishita_settings(options), space)
+    {
+    }
 
     void evaluate(const NodeInputs& in, std::span<NodeValue> out) const override
     {
@@ -83,8 +88,8 @@ private:
 
 class PreethamNode final : public ValueNode {
 public:
-    explicit PreethamNode(const NodeOptions& options)
-        : sky_(sun_direction(options), turbidity(options))
+    PreethamNode(const NodeOptions& options, WorkingSpace space)
+        : sky_(sun_direction(options), turbidity(options), space)
     {
     }
 
@@ -99,10 +104,11 @@ private:
 
 class HosekWilkieNode final : public ValueNode {
 public:
-    explicit HosekWilkieNode(const NodeOptions& options)
+    HosekWilkieNode(const NodeOptions& options, WorkingSpace space)
         : sky_(sun_direction(options),
                turbidity(options),
-               static_cast<float>(ranged(options, "ground_albedo", 0.3, 0.0, 1.0, "")))
+               static_cast<float>(ranged(options, "ground_albedo", 0.3, 0.0, 1.0, "")),
+               space)
     {
     }
 
@@ -118,12 +124,13 @@ private:
 [[nodiscard]] std::unique_ptr<const ValueNode> make_sky(const NodeOptions& options,
                                                         NodeResources& resources)
 {
+    const WorkingSpace space = resources.working_space();
     switch (sky_kind(options)) {
-    case SkyKind::Nishita: return make_from_options<NishitaNode>(options, resources);
-    case SkyKind::HosekWilkie: return make_from_options<HosekWilkieNode>(options, resources);
+    case SkyKind::Nishita: return std::make_unique<NishitaNode>(options, space);
+    case SkyKind::HosekWilkie: return std::make_unique<HosekWilkieNode>(options, space);
     case SkyKind::Preetham: break;
     }
-    return make_from_options<PreethamNode>(options, resources);
+    return std::make_unique<PreethamNode>(options, space);
 }
 
 constexpr std::array sky_in{
@@ -136,19 +143,22 @@ constexpr std::array<std::string_view, 13> sky_options{
 
 }  // namespace
 
-std::optional<SunDisc> sun_disc(const NodeOptions& options)
+std::optional<SunDisc> sun_disc(const NodeOptions& options, WorkingSpace space)
 {
-    return sky_kind(options) == SkyKind::Nishita ? NishitaSun(nishita_settings(options)).disc()
-                                                 : std::nullopt;
+    return sky_kind(options) == SkyKind::Nishita
+               ? NishitaSun(nishita_settings(options), space).disc()
+               : std::nullopt;
 }
 
-std::optional<SunDisc> sun_shown(const NodeGraph& graph, const NodeOutput& output)
+std::optional<SunDisc> sun_shown(const NodeGraph& graph,
+                                 const NodeOutput& output,
+                                 WorkingSpace space)
 {
     for (const std::size_t number : graph.reached_from(output)) {
         const NodeGraph::Node& node = graph.node(number);
         if (node.type->name == "TEX_SKY" &&
             std::holds_alternative<std::monostate>(node.inputs.front())) {
-            return sun_disc(node.options);
+            return sun_disc(node.options, space);
         }
     }
     return std::nullopt;

@@ -1,7 +1,6 @@
 #include "shading/sky/hosek_wilkie_sky.h"
 
 #include "base/units.h"
-#include "shading/functions/cie_observer.h"
 #include "shading/functions/color_adjust.h"
 #include "shading/functions/vector_operations.h"
 
@@ -50,8 +49,11 @@ namespace {
 
 }  // namespace
 
-HosekWilkieSky::HosekWilkieSky(const V3f& sun, float turbidity, float ground_albedo)
-    : sun_(safe_normalized(sun))
+HosekWilkieSky::HosekWilkieSky(const V3f& sun,
+                               float turbidity,
+                               float ground_albedo,
+                               WorkingSpace space)
+    : space_(space), sun_(safe_normalized(sun))
 {
     if (sun_.z < 0.0f) {
         sun_ = unit_or(V3f(sun_.x, sun_.y, 0.0f), V3f(0.0f, 1.0f, 0.0f));
@@ -87,7 +89,8 @@ Color3f HosekWilkieSky::radiance(const V3f& direction) const
     };
     // Blender's brightness: the data are luminances over 683 lm/W.
     constexpr float scale = 2.0f * static_cast<float>(pi) / 683.0f;
-    return not_negative(rgb_from_xyz({value(xyz_[0]), value(xyz_[1]), value(xyz_[2])})) * scale;
+    return not_negative(rgb_from_xyz({value(xyz_[0]), value(xyz_[1]), value(xyz_[2])}, space_)) *
+           scale;
 }
 
 }  // namespace eye_render

@@ -1,7 +1,6 @@
 #include "shading/sky/nishita_sky.h"
 
 #include "base/units.h"
-#include "shading/functions/cie_observer.h"
 #include "shading/functions/color_adjust.h"
 #include "shading/sky/sun_position.h"
 
@@ -24,8 +23,6 @@ constexpr int half_width = table_width / 2;
            static_cast<std::size_t>(column);
 }
 
-[[nodiscard]] Color3f rgb_unclamped(const V3d& xyz) { return rgb_from_xyz(V3f(xyz)); }
-
 [[nodiscard]] Air air_of(const NishitaSettings& settings)
 {
     // Not on the ground itself and not in space, where the way through the air has no length.
@@ -47,7 +44,8 @@ constexpr int half_width = table_width / 2;
 
 }  // namespace
 
-NishitaSun::NishitaSun(const NishitaSettings& settings) : has_disc_(settings.has_disc)
+NishitaSun::NishitaSun(const NishitaSettings& settings, WorkingSpace space)
+    : has_disc_(settings.has_disc)
 {
     // A smaller disc would be lost in rounding.
     constexpr double smallest_rad = 0.0005;
@@ -65,7 +63,8 @@ NishitaSun::NishitaSun(const NishitaSettings& settings) : has_disc_(settings.has
     const float solid_angle_sr = 2.0f * half_turn * (1.0f - std::cos(radius_rad_));
     const auto seen_at = [&](double elevation_rad) {
         const V3d xyz = air.sunlight_xyz(direction_at(std::max(elevation_rad, 0.0), 0.0));
-        return rgb_unclamped(xyz * (settings.sun_intensity / static_cast<double>(solid_angle_sr)));
+        return rgb_from_xyz(
+            V3f(xyz * (settings.sun_intensity / static_cast<double>(solid_angle_sr))), space);
     };
     lower_ = seen_at(position.elevation_rad - radius_rad);
     upper_ = seen_at(position.elevation_rad + radius_rad);
@@ -98,8 +97,9 @@ std::optional<SunDisc> NishitaSun::disc() const
                    .radiance = not_negative((lower_ + upper_) * 0.5f)};
 }
 
-NishitaSky::NishitaSky(const NishitaSettings& settings)
-    : sun_(settings), table_(std::size_t{half_width} * table_height)
+NishitaSky::NishitaSky(const NishitaSettings& settings, WorkingSpace space)
+    : sun_(settings, space), sun_hides_sky_(settings.sun_hides_sky),
+      table_(std::size_t{half_width} * table_height)
 {
     const SunPosition position =
         sun_position(settings.sun_elevation_rad, settings.sun_rotation_rad);
@@ -112,7 +112,8 @@ NishitaSky::NishitaSky(const NishitaSettings& settings)
         for (int x = 0; x < half_width; ++x) {
             const V3d direction =
                 direction_at(highest_rad * row * row, 2.0 * pi * x / table_width - pi);
-            table_[place_in_table(x, y)] = rgb_unclamped(air.scattered_xyz(direction, sun));
+            table_[place_in_table(x, y)] =
+                rgb_from_xyz(V3f(air.scattered_xyz(direction, sun)), space);
         }
     }
 }
@@ -140,9 +141,15 @@ Color3f NishitaSky::interpolated(float x, float y) const
 
 Color3f NishitaSky::radiance(const V3f& direction) const
 {
-    if (const std::optional<Color3f> sun = sun_.radiance(direction)) {
-        return *sun;
+    const std::optional<Color3f> sun = sun_.radiance(direction);
+    if (!sun) {
+        return without_sun(direction);
     }
+    return sun_hides_sky_ ? *sun : *sun + without_sun(direction);
+}
+
+Color3f NishitaSky::without_sun(const V3f& direction) const
+{
     const float azimuth = std::atan2(direction.x, direction.y);  // clockwise from +Y
     const float turns = (azimuth - rotation_rad_) / (2.0f * half_turn) + 0.5f;
     const float x = fraction(turns);

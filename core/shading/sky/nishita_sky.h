@@ -1,8 +1,9 @@
 // Blender's sky of Nishita et al. 1993: a table of the sky's light over the upper hemisphere, and
-// the sun's disc. Directions are towards the sky, +Z up; linear Rec. 709.
+// the sun's disc. Directions are towards the sky, +Z up.
 
 #pragma once
 
+#include "base/working_space.h"
 #include "shading/sky.h"
 #include "shading/sky/atmosphere.h"
 
@@ -12,6 +13,7 @@ namespace eye_render {
 
 struct NishitaSettings {
     bool has_disc = true;
+    bool sun_hides_sky = true;       // behind it, as before Blender 5
     double sun_size_rad = 0.009512;  // across
     double sun_intensity = 1.0;
     double sun_elevation_rad = 0.2617993951;
@@ -23,7 +25,7 @@ struct NishitaSettings {
 // The disc alone, without the work that the table is.
 class NishitaSun {
 public:
-    explicit NishitaSun(const NishitaSettings& settings);
+    NishitaSun(const NishitaSettings& settings, WorkingSpace space);
 
     // Within the disc's rim, above the horizon; otherwise nothing.
     [[nodiscard]] std::optional<Color3f> radiance(const V3f& direction) const;
@@ -41,14 +43,16 @@ private:
 
 class NishitaSky {
 public:
-    explicit NishitaSky(const NishitaSettings& settings);
+    NishitaSky(const NishitaSettings& settings, WorkingSpace space);
 
     [[nodiscard]] Color3f radiance(const V3f& direction) const;
 
 private:
+    [[nodiscard]] Color3f without_sun(const V3f& direction) const;
     [[nodiscard]] Color3f interpolated(float x, float y) const;
 
     NishitaSun sun_;
+    bool sun_hides_sky_;
     float rotation_rad_;
     // Half the sky, as the sun's side mirrors the other; rows closer at the horizon. Unclamped.
     std::vector<Color3f> table_;

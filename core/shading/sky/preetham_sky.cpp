@@ -1,7 +1,6 @@
 #include "shading/sky/preetham_sky.h"
 
 #include "base/units.h"
-#include "shading/functions/cie_observer.h"
 #include "shading/functions/color_adjust.h"
 #include "shading/functions/vector_operations.h"
 
@@ -32,7 +31,8 @@ namespace {
 
 }  // namespace
 
-PreethamSky::PreethamSky(const V3f& sun, float turbidity) : sun_(safe_normalized(sun))
+PreethamSky::PreethamSky(const V3f& sun, float turbidity, WorkingSpace space)
+    : space_(space), sun_(safe_normalized(sun))
 {
     const float t = turbidity;
     const float angle = angle_to(sun_, V3f(0.0f, 0.0f, 1.0f));
@@ -71,7 +71,8 @@ Color3f PreethamSky::radiance(const V3f& direction) const
     const float x = value(x_);
     const float y = value(y_);
     return not_negative(rgb_from_xyz(
-        {safe_divide(x, y) * luminance, luminance, safe_divide(1.0f - x - y, y) * luminance}));
+        {safe_divide(x, y) * luminance, luminance, safe_divide(1.0f - x - y, y) * luminance},
+        space_));
 }
 
 }  // namespace eye_render

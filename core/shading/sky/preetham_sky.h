@@ -1,9 +1,9 @@
 // The sky of Preetham, Shirley & Smits 1999, "A Practical Analytic Model for Daylight", appendix
-// A.2. Directions are towards the sky, +Z up; linear Rec. 709.
+// A.2. Directions are towards the sky, +Z up.
 
 #pragma once
 
-#include "base/vector.h"
+#include "base/working_space.h"
 
 #include <array>
 
@@ -12,7 +12,7 @@ namespace eye_render {
 class PreethamSky {
 public:
     // `sun` need not be unit.
-    PreethamSky(const V3f& sun, float turbidity);
+    PreethamSky(const V3f& sun, float turbidity, WorkingSpace space);
 
     [[nodiscard]] Color3f radiance(const V3f& direction) const;
 
@@ -23,6 +23,7 @@ private:
         float scale;
     };
 
+    WorkingSpace space_;
     V3f sun_;
     Channel luminance_;
     Channel x_;  // chromaticity

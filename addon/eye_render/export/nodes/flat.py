@@ -9,6 +9,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
+from ...working_space import luminance
+
 Value = float | tuple[float, float, float]
 NUMBER_TYPES = {"VALUE", "INT", "BOOLEAN"}
 
@@ -57,13 +59,8 @@ def converted(value: Value | None, socket_type: str) -> Value | None:
     if value is None:
         return None
     if socket_type in NUMBER_TYPES:
-        return _luminance(value) if isinstance(value, tuple) else value
+        return luminance(value) if isinstance(value, tuple) else value
     return value if isinstance(value, tuple) else (value, value, value)
-
-
-def _luminance(color: tuple[float, float, float]) -> float:
-    red, green, blue = color
-    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
 
 
 def math_node(

@@ -1,13 +1,14 @@
 """Nodes of other Blenders as those of Blender 4.3, which the core speaks.
 
 What is done to a node is what Blender 4.3 does when it opens a file of Blender 3.4, and for nodes
-of Blender 5 the reverse. A difference is a row of data; only where a meaning changed does it have
-a function.
+of Blender 5 the reverse; only random walks go by the names of Blender 5.2. A difference is a row
+of data; only where a meaning changed does it have a function.
 """
 
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
 
+from ... import compat
 from .derived import read_derived_attributes
 from .flat import Input, Node
 from .hair import LOBES, mix_lobes, round_fibre
@@ -71,7 +72,12 @@ def _sharp(kind: str) -> Row:
     )
 
 
-_OLD_WALKS = {"RANDOM_WALK": "RANDOM_WALK_SKIN", "RANDOM_WALK_FIXED_RADIUS": "RANDOM_WALK"}
+_OLD_WALKS = {
+    "RANDOM_WALK": "RANDOM_WALK_SKIN",
+    "RANDOM_WALK_FIXED_RADIUS": "RANDOM_WALK_LEGACY",
+}
+
+_WALKERS = {"BSDF_PRINCIPLED": "subsurface_method", "SUBSURFACE_SCATTERING": "falloff"}
 
 
 def _walk(kind: str, option: str, old: str, new: str, **form: str) -> Row:
@@ -100,6 +106,16 @@ ROWS = (
         _walk("SUBSURFACE_SCATTERING", "falloff", old, new, without_input="Roughness")
         for old, new in _OLD_WALKS.items()
     ),
+    *(
+        _walk(kind, option, "RANDOM_WALK", "RANDOM_WALK_LEGACY")
+        for kind, option in _WALKERS.items()
+        if compat.RANDOM_WALK_IS_LEGACY
+    ),
+    *(
+        Row(kind, set_options={"always_walks": True})
+        for kind in _WALKERS
+        if not compat.RANDOM_WALK_IS_LEGACY
+    ),
     Row("BSDF_PRINCIPLED", with_input="Subsurface", convert=widen_subsurface),
     Row("BSDF_PRINCIPLED", with_input="Sheen", convert=weaken_sheen),
     Row("BSDF_PRINCIPLED", with_input="Clearcoat", convert=weaken_coat),
@@ -123,8 +139,6 @@ ROWS = (
         note="the elliptical fibre (Chiang's round one stands in) of",
     ),
     # Blender 5
-    _walk("BSDF_PRINCIPLED", "subsurface_method", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
-    _walk("SUBSURFACE_SCATTERING", "falloff", "RANDOM_WALK_LEGACY", "RANDOM_WALK"),
     Row("TEX_SKY", options={"aerosol_density": "dust_density"}),
     Row(
         "TEX_SKY",
