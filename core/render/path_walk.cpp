@@ -64,7 +64,7 @@ void PathWalk::scatter(Ray& ray, const SurfaceHit& hit, const BsdfSample& sample
     length_ += hit.t;
     last_.move_on(hit.p_world, sample.pdf, sample.is_delta);
     travelled_ = 0.0f;
-    ray = {.origin = hit.origin_towards(sample.wi), .direction = sample.wi, .time = ray.time};
+    ray = hit.ray_towards(sample.wi);
 }
 
 bool PathWalk::survives_roulette(float u)

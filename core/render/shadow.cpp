@@ -12,9 +12,8 @@ namespace {
 // surface would miss that place by the offset.
 Ray shadow_ray(const SurfaceHit& hit, const IncomingLight& light)
 {
-    Ray ray{.origin = hit.origin_towards(light.wi) + terminator_offset(hit, light.wi),
-            .direction = light.wi,
-            .time = hit.time};
+    Ray ray = hit.ray_towards(light.wi);
+    ray.origin += terminator_offset(hit, light.wi);
     if (std::isfinite(light.distance)) {
         const V3f to_light = hit.p_world + light.wi * light.distance - ray.origin;
         ray.t_max = to_light.length();

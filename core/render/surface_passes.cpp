@@ -47,11 +47,9 @@ void add_aov(PassValues& values,
     if (wi.dot(seen.hit.point.ng) <= 0.0f) {
         return Color3f(0.0f);
     }
-    return seen.scene.transmittance({.origin = seen.hit.origin_towards(wi),
-                                     .direction = wi,
-                                     .t_max = distance,
-                                     .time = seen.hit.time},
-                                    seen.path);
+    Ray ray = seen.hit.ray_towards(wi);
+    ray.t_max = distance;
+    return seen.scene.transmittance(ray, seen.path);
 }
 
 }  // namespace

@@ -152,7 +152,8 @@ std::optional<AcceleratorHit> Accelerator::intersect(const Ray& ray, RayMask mas
     query.ray = to_embree(ray, mask);
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     query.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-    embree::intersect(root_.get(), query);
+    embree::Query told(ray.left);
+    embree::intersect(root_.get(), told, query);
     if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) {
         return std::nullopt;
     }
@@ -171,7 +172,8 @@ bool Accelerator::occluded(const Ray& ray, RayMask mask) const
         return true;
     }
     RTCRay query = to_embree(ray, mask);
-    embree::occluded(root_.get(), query);
+    embree::Query told(ray.left);
+    embree::occluded(root_.get(), told, query);
     return query.tfar < 0.0f;
 }
 

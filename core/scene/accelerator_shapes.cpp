@@ -55,8 +55,8 @@ private:
     RTCGeometry geometry_;
 };
 
-// Round curves and balls are met from outside only: a ray that leaves one does not meet it again,
-// whichever way the intersection was rounded.
+// Balls are met from outside only: a ray that leaves one does not meet it again, whichever way the
+// intersection was rounded.
 void ignore_back(const RTCFilterFunctionNArguments* arguments)
 {
     const auto* ray = reinterpret_cast<const RTCRay*>(arguments->ray);
@@ -66,10 +66,21 @@ void ignore_back(const RTCFilterFunctionNArguments* arguments)
     }
 }
 
-void meet_from_outside(RTCGeometry geometry)
+void ignore_left_strand(const RTCFilterFunctionNArguments* arguments)
 {
-    rtcSetGeometryIntersectFilterFunction(geometry, ignore_back);
-    rtcSetGeometryOccludedFilterFunction(geometry, ignore_back);
+    const auto* hit = reinterpret_cast<const RTCHit*>(arguments->hit);
+    const StrandSegments& left = embree::Query::of(*arguments).left;
+    const bool is_instance = hit->instID[0] != RTC_INVALID_GEOMETRY_ID;
+    if (hit->primID >= left.first && hit->primID < left.end &&
+        left.placement == (is_instance ? hit->instID[0] : hit->geomID)) {
+        arguments->valid[0] = 0;
+    }
+}
+
+void set_filter(RTCGeometry geometry, RTCFilterFunctionN filter)
+{
+    rtcSetGeometryIntersectFilterFunction(geometry, filter);
+    rtcSetGeometryOccludedFilterFunction(geometry, filter);
 }
 
 EmbreeShape make(RTCDevice device, const TriangleShape& shape)
@@ -138,9 +149,7 @@ EmbreeShape make(RTCDevice device, const StrandsShape& shape)
         }
         first_of_strand += static_cast<std::uint32_t>(end - first) + 2;
     });
-    if (shape.kind != StrandShape::Ribbon) {
-        meet_from_outside(geometry.get());
-    }
+    set_filter(geometry.get(), ignore_left_strand);
     return {.geometry = geometry.release()};
 }
 
@@ -155,7 +164,7 @@ EmbreeShape make(RTCDevice device, const BallsShape& shape)
                                                   steps[step].size())
                               .begin());
     }
-    meet_from_outside(geometry.get());
+    set_filter(geometry.get(), ignore_back);
     return {.geometry = geometry.release()};
 }
 

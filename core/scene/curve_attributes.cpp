@@ -31,7 +31,7 @@ TangentFrame CurveAttributes::tangent(int /*uv_layer*/) const
     V3f along;
     pose_.world_from_object.multDirMatrix(strand_point(curves_, place_, hit_.time).derivative,
                                           along);
-    return {.tangent = unit_or(along, V3f(0.0f))};
+    return {.tangent = unit_or(hit_.point.backfacing ? -along : along, V3f(0.0f))};
 }
 
 AttributeValue CurveAttributes::attribute(int attribute) const

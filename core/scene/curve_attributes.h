@@ -25,7 +25,7 @@ public:
     [[nodiscard]] V3f generated() const override;
     // Of all of the strand.
     [[nodiscard]] V2f uv(int uv_layer) const override;
-    // Along the strand.
+    // Along the strand: from root to tip, but seen from inside the other way.
     [[nodiscard]] TangentFrame tangent(int uv_layer) const override;
     [[nodiscard]] AttributeValue attribute(int attribute) const override;
     // Along the segment alone.

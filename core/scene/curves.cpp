@@ -30,12 +30,11 @@ void check_length(const Curves& curves,
 
 StrandPlace strand_place(const Curves& curves, std::size_t segment, float u)
 {
-    // Before strand s there are first_keys[s] - s segments.
     std::size_t low = 0;
     std::size_t high = curves.first_keys.size() - 1;
     while (low < high) {
         const std::size_t middle = (low + high + 1) / 2;
-        if (curves.first_keys[middle] - middle <= segment) {
+        if (curves.first_segment(middle) <= segment) {
             low = middle;
         } else {
             high = middle - 1;

@@ -47,7 +47,13 @@ struct Curves {
     {
         return (strand + 1 < first_keys.size() ? first_keys[strand + 1] : keys.size()) - 1;
     }
-    // A strand has one segment fewer than keys; segments count through all strands.
+    // A strand has one segment fewer than keys; segments count through all strands. Of strands
+    // and of what would be the next.
+    [[nodiscard]] std::uint32_t first_segment(std::size_t strand) const
+    {
+        const std::size_t key = strand < first_keys.size() ? first_keys[strand] : keys.size();
+        return static_cast<std::uint32_t>(key - strand);
+    }
     [[nodiscard]] std::size_t segments() const { return keys.size() - first_keys.size(); }
 };
 

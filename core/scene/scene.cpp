@@ -12,10 +12,9 @@ namespace eye_render {
 
 Ray passed_through(const Ray& ray, const SurfaceHit& hit)
 {
-    return {.origin = hit.origin_towards(ray.direction),
-            .direction = ray.direction,
-            .t_max = std::max(0.0f, ray.t_max - hit.t),
-            .time = ray.time};
+    Ray rest = hit.ray_towards(ray.direction);
+    rest.t_max = std::max(0.0f, ray.t_max - hit.t);
+    return rest;
 }
 
 Scene::Scene(const SceneData& data, const V3d& eye_position_world, const ViewFrame& view)

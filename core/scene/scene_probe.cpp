@@ -55,10 +55,8 @@ std::optional<SurfaceHit> intersect_object(const Scene& scene,
 
 bool SceneProbe::is_blocked(const V3f& direction, float distance, bool local) const
 {
-    const Ray ray{.origin = hit_.origin_towards(direction),
-                  .direction = direction,
-                  .t_max = distance,
-                  .time = hit_.time};
+    Ray ray = hit_.ray_towards(direction);
+    ray.t_max = distance;
     if (!local) {
         return scene_.is_blocked(ray);
     }

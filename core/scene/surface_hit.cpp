@@ -89,21 +89,26 @@ V3f ribbon_normal(const V3f& axis, const V3f& wo, float across)
 
 void complete(SurfaceHit& hit, const Curves& curves, const AcceleratorHit& found, const Pose& pose)
 {
-    const StrandPoint strand =
-        strand_point(curves, strand_place(curves, found.primitive, found.u), hit.time);
-    const float radius = strand.at.radius * scale_of(pose.world_from_object);
+    const StrandPlace place = strand_place(curves, found.primitive, found.u);
+    hit.strand = {.placement = found.placement,
+                  .first = curves.first_segment(place.strand),
+                  .end = curves.first_segment(place.strand + 1)};
+    const StrandPoint strand = strand_point(curves, place, hit.time);
     if (curves.shape == StrandShape::Ribbon) {
         V3f axis;
         pose.world_from_object.multDirMatrix(strand.derivative, axis);
-        hit.depth = radius;
         hit.point.ng = ribbon_normal(axis, hit.point.wo, std::clamp(found.v, -1.0f, 1.0f));
         hit.point.ns = hit.point.ng;
         return;
     }
-    hit.p_error += search_error * radius;
-    const V3f ng = hit.placement->is_flat ? found.ng : found.ng * pose.world_from_object_normal;
-    hit.point.ng = unit_or(ng, hit.point.wo);
-    hit.point.ns = hit.point.ng;
+    hit.p_error += search_error * strand.at.radius * scale_of(pose.world_from_object);
+    V3f normal = hit.placement->is_flat ? found.ng : found.ng * pose.world_from_object_normal;
+    if (curves.shape == StrandShape::Round) {
+        // Away from the axis, whatever the taper, as in Cycles.
+        normal = unit_or(hit.p_world - strand.at.center * pose.world_from_object, normal);
+    }
+    normal = unit_or(normal, hit.point.wo);
+    turn_to_viewer(hit.point, normal, normal);
 }
 
 void complete(SurfaceHit& hit, const Points& points, const AcceleratorHit& found, const Pose& pose)
@@ -154,7 +159,8 @@ SurfaceHit make_surface_hit(const Ray& ray,
         complete(hit, *mesh, found, pose, positions);
         return hit;
     }
-    // Strands and balls are met from outside alone, and near enough for the ray's own roundings.
+    // Rays that leave strands and balls do not meet them again: near enough are the ray's
+    // roundings.
     hit.p_world = ray.origin + ray.direction * found.t;
     hit.p_error = roundings * (largest_coordinate(ray.origin) + found.t);
     if (const Curves* const curves = std::get_if<Curves>(placement.geometry)) {

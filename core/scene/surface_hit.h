@@ -77,8 +77,7 @@ struct SurfaceHit {
     float u = 0.0f;
     float v = 0.0f;
     float time = shutter_middle;
-    // Of what is only painted as a solid: how far a ray must go to be out of it.
-    float depth = 0.0f;
+    StrandSegments strand{};  // all of the strand; empty: none
 
     [[nodiscard]] const Material& material() const { return placement->material(primitive); }
     [[nodiscard]] const ParticipatingMedium* medium() const
@@ -89,7 +88,12 @@ struct SurfaceHit {
     [[nodiscard]] V3f origin_towards(const V3f& wi) const
     {
         const V3f& ng = point.ng;
-        return offset_from_surface(p_world + wi * depth, ng.dot(wi) < 0.0f ? -ng : ng, p_error);
+        return offset_from_surface(p_world, ng.dot(wi) < 0.0f ? -ng : ng, p_error);
+    }
+    // That ray.
+    [[nodiscard]] Ray ray_towards(const V3f& wi) const
+    {
+        return {.origin = origin_towards(wi), .direction = wi, .time = time, .left = strand};
     }
 
     // As the ray would have met it that came the other way.

@@ -50,7 +50,7 @@ struct StrandFacts {
     float length = 0.0f;
     float thickness = 0.0f;  // diameter
     float random = 0.0f;     // of this strand, in [0, 1]
-    V3f tangent{0.0f};       // from root to tip, unit, world space
+    V3f tangent{0.0f};       // as HitAttributes::tangent
 };
 
 // A ball of a point cloud.

@@ -110,8 +110,67 @@ TEST(Curves, a_ray_that_leaves_a_strand_does_not_meet_it_again)
         for (int i = 0; i < 100; ++i) {
             const float angle = 0.0628f * static_cast<float>(i);
             const V3f wi(std::cos(angle), std::sin(angle), 0.0f);
-            EXPECT_FALSE(scene.intersect({.origin = hit->origin_towards(wi), .direction = wi}))
-                << wi;
+            EXPECT_FALSE(scene.intersect(hit->ray_towards(wi))) << wi;
+        }
+    }
+}
+
+TEST(Curves, a_strand_is_seen_from_inside_too_with_all_its_directions_turned_round)
+{
+    const SceneData data = placed(pole(StrandShape::Round, 0.8f, 0.2f));
+    const Scene scene(data, V3d(0.0));
+    for (const bool is_inside : {false, true}) {
+        const auto hit = scene.intersect({.origin = V3f(is_inside ? 0.1f : 3.0f, 0.0f, 0.3f),
+                                          .direction = V3f(is_inside ? 1.0f : -1.0f, 0.0f, 0.0f)});
+        ASSERT_TRUE(hit) << is_inside;
+        EXPECT_EQ(hit->point.backfacing, is_inside);
+        // Away from the axis, whatever the taper.
+        const float sign = is_inside ? -1.0f : 1.0f;
+        EXPECT_LT((hit->point.ng - V3f(sign, 0.0f, 0.0f)).length(), 1e-3f) << is_inside;
+        const SceneFrame frame;
+        const CurveAttributes at(*hit, hit->p_world, hit->placement->pose, frame);
+        EXPECT_LT((at.tangent(0).tangent - V3f(0.0f, 0.0f, sign)).length(), 1e-5f) << is_inside;
+    }
+}
+
+// A strand there and back: along x at the height z = 0, and back two above.
+void add_hook(Curves& curves, float y, float z)
+{
+    curves.first_keys.push_back(static_cast<std::uint32_t>(curves.keys.size()));
+    for (const V2f& xz : {V2f(0, 0), V2f(2, 0), V2f(2, 2), V2f(0, 2)}) {
+        curves.keys.push_back({V3f(xz.x, y, z + xz.y), 0.2f});
+    }
+}
+
+TEST(Curves, a_strand_is_never_in_its_own_shadow_but_in_that_of_others)
+{
+    for (const StrandShape shape :
+         {StrandShape::Round, StrandShape::RoundLinear, StrandShape::Ribbon}) {
+        Curves curves;
+        curves.shape = shape;
+        add_hook(curves, 0.0f, 0.0f);
+        add_hook(curves, 0.0f, 4.0f);
+        // Of a second place the strands are others.
+        for (const std::vector<M44d>& places :
+             {std::vector{M44d()}, {M44d(), scaled(1.0, {0.0, 0.0, 8.0})}}) {
+            const SceneData data = placed(curves, places);
+            const Scene scene(data, V3d(0.0));
+            for (std::size_t hook = 0; hook < 2 * places.size(); ++hook) {
+                const float z = 4.0f * static_cast<float>(hook);
+                const auto hit = scene.intersect(
+                    {.origin = V3f(1.0f, -5.0f, z), .direction = V3f(0.0f, 1.0f, 0.0f)});
+                ASSERT_TRUE(hit) << hook;
+                const Ray up =
+                    hit->ray_towards((V3f(1.0f, 0.0f, z + 2.0f) - hit->p_world).normalized());
+                const Ray from_nowhere{.origin = up.origin, .direction = up.direction};
+                EXPECT_TRUE(scene.is_blocked(from_nowhere)) << hook;
+                const auto next = scene.intersect(up);
+                const bool is_last = hook + 1 == 2 * places.size();
+                ASSERT_EQ(next.has_value(), !is_last) << hook;
+                if (next) {
+                    EXPECT_GT(next->p_world.z, z + 3.0f) << hook;
+                }
+            }
         }
     }
 }

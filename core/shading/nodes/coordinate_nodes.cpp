@@ -93,7 +93,9 @@ void geometry(const NodeInputs& in, std::span<NodeValue> out)
     out[1] = hit.point.ns;
     if (in.wants(2)) {
         const V3f generated = hit.attributes.generated();
-        out[2] = radial_tangent(hit, {-(generated.y - 0.5f), generated.x - 0.5f, 0.0f});
+        const std::optional<StrandFacts> strand = hit.attributes.strand();
+        out[2] = strand ? strand->tangent
+                        : radial_tangent(hit, {-(generated.y - 0.5f), generated.x - 0.5f, 0.0f});
     }
     out[3] = hit.point.ng;
     out[4] = hit.point.wo;
