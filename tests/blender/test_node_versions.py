@@ -291,3 +291,12 @@ def test_occlusion_as_far_as_the_world_says_is_named(distance, source, notes):
     node.inputs["Distance"] = number(distance, source)
     modernize(node)
     assert len(node.notes) == notes
+
+
+@pytest.mark.parametrize(("model", "notes"), [("CHIANG", 0), ("HUANG", 1)])
+def test_of_hair_only_the_elliptical_fibre_is_named(model, notes):
+    node = Node("BSDF_HAIR_PRINCIPLED", "Hair", {"model": model}, changed={"model"})
+    node.inputs["Roughness"] = number(0.3)
+    modernize(node)
+    assert len(node.notes) == notes
+    assert not node.changed

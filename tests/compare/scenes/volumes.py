@@ -78,6 +78,20 @@ def phase_functions():
         add(dressed(ball_mesh(0.5), tree.datablock), (1.05 * (place - 1), 0.0, 0.7))
 
 
+@feature(bounces=4, samples=512, since=(4, 3))
+def fournier_forand():
+    """Balls of water with fine, with coarse and with dense particles, a lamp behind them"""
+    outdoors()
+    lamp("POINT", 300.0, (0.0, 3.0, 2.5), shadow_soft_size=0.1)
+    waters = ({"IOR": 1.33, "Backscatter": 0.1}, {"IOR": 1.1, "Backscatter": 0.01})
+    for place, water in enumerate((*waters, {"IOR": 1.9, "Backscatter": 0.35})):
+        tree = new_tree("Water")
+        inputs = {"Color": (0.8, 0.9, 0.95), "Density": 1.5, **water}
+        node = tree.node("VolumeScatter", inputs, phase="FOURNIER_FORAND")
+        tree.set(tree.output, "Volume", node)
+        add(dressed(ball_mesh(0.5), tree.datablock), (1.05 * (place - 1), 0.0, 0.7))
+
+
 @feature(bounces=4, samples=512)
 def overlapping():
     """Two balls that overlap, one within tinted glass, and one without a surface"""

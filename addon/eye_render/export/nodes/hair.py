@@ -10,6 +10,11 @@ def mix_lobes(node: Node) -> None:
     node.inputs.pop("Offset", None)
 
 
+def chiang_fibre(node: Node) -> None:
+    """Chiang's model is the core's own, although Blender's default is Huang's."""
+    node.changed.discard("model")
+
+
 def round_fibre(node: Node) -> None:
     """Huang's fibre as Chiang's: as rough around as along, and with all of its lobes."""
     for name in ("Aspect Ratio", "Coat", "R lobe", "TT lobe", "TRT lobe"):

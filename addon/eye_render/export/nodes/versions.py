@@ -11,7 +11,7 @@ from typing import NamedTuple
 from ... import compat
 from .derived import read_derived_attributes
 from .flat import Input, Node
-from .hair import LOBES, mix_lobes, round_fibre
+from .hair import LOBES, chiang_fibre, mix_lobes, round_fibre
 from .musgrave import musgrave_to_noise
 from .named import OWNER_PREFIXES, name_owner, name_particle, name_place
 from .normals import flip_green
@@ -132,6 +132,7 @@ ROWS = (
     Row("UVMAP", with_option=("from_instancer", True), convert=name_place),
     Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
+    Row("BSDF_HAIR_PRINCIPLED", with_option=("model", "CHIANG"), convert=chiang_fibre),
     Row(
         "BSDF_HAIR_PRINCIPLED",
         with_option=("model", "HUANG"),
