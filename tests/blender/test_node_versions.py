@@ -9,6 +9,7 @@ from types import SimpleNamespace
 import bpy
 import pytest
 from eye_render.export.nodes.flat import Input, Node
+from eye_render.export.nodes.occlusion import look_as_far_as_the_world
 from eye_render.export.nodes.versions import modernize
 
 SOURCE = Node("TEX_NOISE", "Noise Texture").output("Color", "RGBA")
@@ -284,13 +285,13 @@ def test_an_attribute_of_an_owner_is_read_under_a_name_of_its_own(owner, prefix)
 
 
 @pytest.mark.parametrize(
-    ("distance", "source", "notes"), [(0.0, None, 1), (1.0, None, 0), (0.0, SOURCE, 0)]
+    ("distance", "source", "looked"), [(0.0, None, 7.0), (1.0, None, 1.0), (0.0, SOURCE, 0.0)]
 )
-def test_occlusion_as_far_as_the_world_says_is_named(distance, source, notes):
+def test_occlusion_of_no_distance_looks_as_far_as_the_world_says(distance, source, looked):
     node = Node("AMBIENT_OCCLUSION", "Ambient Occlusion")
     node.inputs["Distance"] = number(distance, source)
-    modernize(node)
-    assert len(node.notes) == notes
+    look_as_far_as_the_world(node, 7.0)
+    assert node.inputs["Distance"].value == looked
 
 
 @pytest.mark.parametrize(("model", "notes"), [("CHIANG", 0), ("HUANG", 1)])

@@ -29,8 +29,14 @@ def export_scene(
     core_scene = core.require().Scene(working_space=working_space(warn))
     images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
     view_layer = depsgraph.view_layer_eval
+    world = depsgraph.scene_eval.world
     materials = MaterialTable(
-        core_scene, images, view_layer.material_override, warn, passes.aovs(view_layer)
+        core_scene,
+        images,
+        view_layer.material_override,
+        warn,
+        passes.aovs(view_layer),
+        occlusion_distance=world.light_settings.distance if world else 0.0,
     )
     lights = LightTable(core_scene, images, warn)
     names = MatteNames(set(), materials.names, set())

@@ -35,12 +35,14 @@ class MaterialTable:
         override: bpy.types.Material | None,
         warn: Callable[[str], None],
         aovs: Mapping[str, str] | None = None,
+        occlusion_distance: float = 0.0,  # the world's
     ):
         self._core_scene = core_scene
         self._images = images
         self._override = override
         self._warn = warn
         self._aovs = aovs or {}  # what materials are asked to write out: VALUE or COLOR by name
+        self._occlusion_distance = occlusion_distance
         self.names: set[str] = set()  # of the materials added
         self._ids: dict[str, int] = {}
         self._object_readers: set[int] = set()
@@ -66,7 +68,7 @@ class MaterialTable:
         return self._ids[name]
 
     def _add(self, material: bpy.types.Material) -> int:
-        look = _read(material, self._images, self._aovs)
+        look = _read(material, self._images, self._aovs, self._occlusion_distance)
         index = material.pass_index
         name = material.name  # in Cryptomatte without the library, as in Cycles
         self.names.add(name)
@@ -97,7 +99,12 @@ class MaterialTable:
         return self._core_scene.add_material(_NAME_OF_NONE, diffuse["BSDF"])
 
 
-def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, str]) -> _Look:
+def _read(
+    material: bpy.types.Material,
+    images: ImageTable,
+    aovs: Mapping[str, str],
+    occlusion_distance: float,
+) -> _Look:
     if not compat.uses_nodes(material):
         return _plain(material)
     inlined = compat.inline_shader_nodes(material)
@@ -106,7 +113,7 @@ def _read(material: bpy.types.Material, images: ImageTable, aovs: Mapping[str, s
         return _Look(None, None, None, frozenset(), [])
     sockets = (output.inputs[name] for name in ("Surface", "Displacement", "Volume"))
     written = aov_sockets(inlined.node_tree, aovs)
-    tree = export_sockets(sockets, images, DIFFUSE, written)
+    tree = export_sockets(sockets, images, DIFFUSE, written, occlusion_distance)
     surface, displacement, volume = tree.sockets
     if surface is not None and not compat.has_transparent_shadow(material):
         surface = _opaque_to_shadow_rays(tree.graph, surface)

@@ -324,6 +324,19 @@ def ambient_occlusion():
 
 
 @feature()
+def ambient_occlusion_of_the_world():
+    """Ambient Occlusion without a distance under a cube: as far as the world's"""
+
+    def paint(tree: Tree):
+        return out(tree.node("AmbientOcclusion", {"Distance": 0.0}, samples=16), "AO")
+
+    camera()
+    world(GREY).datablock.light_settings.distance = 0.6
+    add(dressed(grid_mesh(1, 1, (8, 8)), shows(paint)))
+    add(dressed(cube_mesh(1.0), diffuse()), (0, 0, 0.7))
+
+
+@feature()
 def ambient_occlusion_inside():
     """Ambient Occlusion of the inside, of the object alone: a flattened ball"""
 

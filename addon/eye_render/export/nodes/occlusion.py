@@ -3,8 +3,10 @@
 from .flat import Node
 
 
-def note_global_distance(node: Node) -> None:
-    """A distance of zero stands for the world's own, which is not looked up."""
+def look_as_far_as_the_world(node: Node, world_distance: float) -> None:
+    """A distance of zero stands for the world's own."""
+    if node.kind != "AMBIENT_OCCLUSION":
+        return
     distance = node.inputs["Distance"]
     if distance.source is None and distance.value == 0.0:
-        node.notes.append("the world's distance for")
+        distance.value = world_distance

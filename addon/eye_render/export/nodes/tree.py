@@ -10,6 +10,7 @@ from ..image import ImageTable
 from .build import GraphBuilder, PlainShader
 from .flat import Node, Output
 from .flatten import Path, TreeReader
+from .occlusion import look_as_far_as_the_world
 from .versions import modernize
 
 
@@ -33,14 +34,16 @@ def export_sockets(
     images: ImageTable,
     plain_shader: PlainShader,
     values: Mapping[str, PlacedSocket] | None = None,
+    occlusion_distance: float = 0.0,
 ) -> ExportedTree:
     """One graph with all that these inputs of the tree's output node depend on, and the values,
-    linked or set on the socket itself."""
+    linked or set on the socket itself. `occlusion_distance` is the world's."""
     reader = TreeReader()
     written = {name: _value_of(reader, placed) for name, placed in (values or {}).items()}
     sources = [reader.read(socket).source for socket in sockets]
     for node in reader.nodes:
         modernize(node)
+        look_as_far_as_the_world(node, occlusion_distance)
     builder = GraphBuilder(images, plain_shader)
     built = [builder.add(source) if source else None for source in sources]
     found = {name: builder.add(source) for name, source in written.items()}

@@ -15,7 +15,6 @@ from .hair import LOBES, chiang_fibre, mix_lobes, round_fibre
 from .musgrave import musgrave_to_noise
 from .named import OWNER_PREFIXES, name_owner, name_particle, name_place
 from .normals import flip_green
-from .occlusion import note_global_distance
 from .principled import (
     RENAMED_INPUTS,
     color_specular_tint,
@@ -130,7 +129,6 @@ ROWS = (
     Row("PARTICLE_INFO", convert=name_particle),
     Row("TEX_COORD", with_option=("from_instancer", True), convert=name_place),
     Row("UVMAP", with_option=("from_instancer", True), convert=name_place),
-    Row("AMBIENT_OCCLUSION", convert=note_global_distance),
     Row("BSDF_HAIR", convert=mix_lobes, note=LOBES),
     Row("BSDF_HAIR_PRINCIPLED", with_option=("model", "CHIANG"), convert=chiang_fibre),
     Row(
