@@ -150,12 +150,12 @@ void adapt_pupil(ObserverEye& eye,
     std::size_t width = 0;
     const std::vector<Color3f> radiance = field_radiance(scene, frame, threads, width);
     const bool as_in_paper = observer.pupil_formula == PupilFormula::Paper;
-    eye.luminance_cd_m2 =
-        field_luminance_cd_m2(radiance, width,
-                              {.weights = as_in_paper ? paper_luminance_weights
-                                                      : luminance_weights(scene->working_space()),
-                               .sigma = observer.luminance_sigma,
-                               .cd_m2_per_unit = observer.cd_m2_per_unit});
+    eye.luminance_cd_m2 = field_luminance_cd_m2(
+        radiance, width,
+        {.weights = as_in_paper ? paper_luminance_weights
+                                : V3d(luminance_weights(scene->working_space())),
+         .sigma = observer.luminance_sigma,
+         .cd_m2_per_unit = observer.cd_m2_per_unit});
     eye.field_area_deg2 =
         observer.field_area_deg2.value_or(field_area_deg2({.left = frame.slope_left,
                                                            .right = frame.slope_right,

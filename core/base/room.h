@@ -14,12 +14,12 @@ class Room {
     static_assert(std::is_trivially_destructible_v<T>);
 
 public:
-    Room() {}
+    Room() {}  // NOLINT(modernize-use-equals-default): a default one is cleared, too
     ~Room() = default;
     Room(const Room&) = delete;
     Room& operator=(const Room&) = delete;
 
-    const T& operator=(const T& value)
+    const T& fill(const T& value)
     {
         is_filled_ = true;
         return *std::construct_at(&value_, value);

@@ -58,7 +58,7 @@ double field_luminance_cd_m2(std::span<const Color3f> pixels,
     const std::size_t height = pixels.size() / width;
     const std::vector<double> column_weights = side_weights(width, options.sigma);
     const std::vector<double> row_weights = side_weights(height, options.sigma);
-    const V3d rgb(options.weights);
+    const V3d& rgb = options.weights;
     double weighted = 0.0;
     double total_weight = 0.0;
     for (std::size_t y = 0; y < height; ++y) {

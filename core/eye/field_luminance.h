@@ -13,10 +13,10 @@
 namespace eye_render {
 
 // Of the channels: eq. 14.
-inline const V3f paper_luminance_weights{0.3f, 0.59f, 0.11f};
+inline const V3d paper_luminance_weights{0.3, 0.59, 0.11};
 
 struct FieldLuminanceOptions {
-    V3f weights = luminance_weights(WorkingSpace::Rec709);  // of the channels
+    V3d weights{luminance_weights(WorkingSpace::Rec709)};  // of the channels
     double sigma = 0.5;             // in half pictures; not printed in the paper
     double cd_m2_per_unit = 179.0;  // of a white pixel of value 1
 };

@@ -77,7 +77,7 @@ protected:
     PathState path_;
     MediumStack media_;
     int boundaries_ = 0;
-    int light_class_ = 0;     // of what the path was last scattered by
+    int light_class_ = light_class_of_media;  // of what the path was last scattered by
     bool shows_film_ = true;  // nothing has come between it and the eye but what is clear
 };
 

@@ -11,7 +11,7 @@ std::optional<SubsurfaceExit> sample_exit(const Scene& scene,
                                           const Color3f& throughput,
                                           SampleSequence& sequence)
 {
-    // Strands and balls are hollow: rays meet them from outside alone.
+    // Walks are of meshes alone: a ray that leaves a strand or a ball does not meet it again.
     if (entry.placement->mesh() == nullptr) {
         return SubsurfaceExit{entry, throughput};
     }

@@ -58,7 +58,7 @@ CameraRay ray_at(const RenderJob& job,
 {
     Room<CameraFrame> moved;
     if (job.camera_motion && job.moves) {
-        moved = job.camera_motion->at(time);
+        moved.fill(job.camera_motion->at(time));
     }
     const CameraFrame& frame = moved ? *moved : job.frame;
     CameraRay camera =

@@ -60,7 +60,7 @@ void check(const LampSettings& settings)
     for (int i = 0; i < 4; ++i) {
         for (int j = 0; j < 3; ++j) {
             require_range("world_from_light", settings.world_from_light[i][j], -largest, largest,
-                          "units");
+                          i == 3 ? "units" : "");
         }
     }
     for (int i = 0; i < 3; ++i) {

@@ -37,7 +37,7 @@ struct LightChoice {
 class LitPoint {
 public:
     // Nowhere, and not to be asked before it is weighed: to clear it took 80 instructions a path.
-    LitPoint() {}
+    LitPoint() {}  // NOLINT(modernize-use-equals-default): a default one is cleared, too
 
     V3f p_world;
     float time = shutter_middle;  // at which lights that move are looked at

@@ -25,13 +25,13 @@ const ObjectFacts& PlacedAttributes::object() const
         for (int axis = 0; axis < 3; ++axis) {
             world_from_object[3][axis] += frame_.eye_position_world[axis];
         }
-        object_ = ObjectFacts{.world_from_object = M44f(world_from_object),
-                              .object_from_world = M44f(world_from_object.inverse()),
-                              .color = placement_.look.color,
-                              .pass_index = placement_.look.pass_index,
-                              .material_index =
-                                  static_cast<float>(placement_.material(primitive_).pass_index),
-                              .random = placement_.look.random};
+        object_.fill(
+            {.world_from_object = M44f(world_from_object),
+             .object_from_world = M44f(world_from_object.inverse()),
+             .color = placement_.look.color,
+             .pass_index = placement_.look.pass_index,
+             .material_index = static_cast<float>(placement_.material(primitive_).pass_index),
+             .random = placement_.look.random});
     }
     return *object_;
 }

@@ -63,8 +63,8 @@ const Pose& Scene::pose_at(const Placement& placement, float time, Room<Pose>& m
     }
     const auto number = static_cast<std::uint32_t>(&placement - placements_.data());
     const M44f world_from_object = accelerator_.world_from_object(number, time);
-    return moved = Pose{.world_from_object = world_from_object,
-                        .world_from_object_normal = normal_matrix(M44d(world_from_object))};
+    return moved.fill({.world_from_object = world_from_object,
+                       .world_from_object_normal = normal_matrix(M44d(world_from_object))});
 }
 
 V3f Scene::place_at(const SurfaceHit& hit, float time) const
@@ -155,6 +155,9 @@ Color3f Scene::transmittance(const Ray& ray,
             media->cross(*hit);
         }
         rest = passed_through(rest, *hit);
+        if (hit->strand.end == 0) {
+            rest.left = ray.left;  // the strand that it started from is in no shadow of its own
+        }
     }
     return Color3f(0.0f);
 }

@@ -187,8 +187,7 @@ private:
         if (lamp_motions_.empty() || !lamp_motions_[index]) {
             return lamps_[index];
         }
-        moved = lamp_motions_[index]->at(time);
-        return moved->lamp;
+        return moved.fill(lamp_motions_[index]->at(time)).lamp;
     }
     // Radiance that the triangle sends from the point with these weights towards `wo`.
     [[nodiscard]] Color3f emission(const Emitter& emitter,

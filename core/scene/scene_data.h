@@ -77,7 +77,7 @@ struct SceneData {
     Material world;
     std::optional<SunDisc> world_sun;                   // of the sky, to be aimed at
     WorkingSpace working_space = WorkingSpace::Rec709;  // of all colours, those of textures too
-    TextureSet textures;
+    TextureSet textures{working_space};
     // Names behind the layer numbers of materials. The empty name asks for a mesh's first layer.
     std::vector<std::string> uv_layer_names{""};
     std::vector<std::string> attribute_names;

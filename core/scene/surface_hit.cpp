@@ -104,8 +104,12 @@ void complete(SurfaceHit& hit, const Curves& curves, const AcceleratorHit& found
     hit.p_error += search_error * strand.at.radius * scale_of(pose.world_from_object);
     V3f normal = hit.placement->is_flat ? found.ng : found.ng * pose.world_from_object_normal;
     if (curves.shape == StrandShape::Round) {
-        // Away from the axis, whatever the taper, as in Cycles.
-        normal = unit_or(hit.p_world - strand.at.center * pose.world_from_object, normal);
+        // Away from the axis, whatever the taper, as in Cycles: the strand is round in the space
+        // that the accelerator holds it in.
+        normal = hit.placement->is_flat
+                     ? hit.p_world - strand.at.center * pose.world_from_object
+                     : (hit.p_world * pose.world_from_object.inverse() - strand.at.center) *
+                           pose.world_from_object_normal;
     }
     normal = unit_or(normal, hit.point.wo);
     turn_to_viewer(hit.point, normal, normal);

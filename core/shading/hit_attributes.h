@@ -85,7 +85,7 @@ public:
     [[nodiscard]] virtual std::optional<PointFacts> point() const { return std::nullopt; }
     [[nodiscard]] virtual const ViewFrame& view() const = 0;
 
-    // Linear Rec. 709.
+    // In the working space.
     [[nodiscard]] virtual Color4f texture(int texture,
                                           const V2f& uv,
                                           TextureAlpha alpha) const = 0;

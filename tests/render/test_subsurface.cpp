@@ -70,12 +70,19 @@ TEST(Subsurface, what_does_not_go_far_is_diffuse)
         const Estimate none = seen(ball_in_white_world(below(method, color, V3f(0.0f))), 4);
         EXPECT_EQ(none.mean, diffuse.mean) << method;
     }
-    // Skin's radius is another length.
-    for (const auto& [method, radius] :
-         {std::pair{"RANDOM_WALK", 0.001f}, {"RANDOM_WALK_LEGACY", 0.01f}, {"BURLEY", 0.01f}}) {
+    // Skin's radius is another length. Van de Hulst's albedo is of light that enters from all
+    // around; what is refracted on its way in goes deeper, and 0.04 of it is lost.
+    struct Case {
+        const char* method;
+        float radius;
+        double fit_error;
+    };
+    for (const auto& [method, radius, fit_error] : {Case{"RANDOM_WALK", 0.001f, 0.05},
+                                                    {"RANDOM_WALK_LEGACY", 0.01f, 0.02},
+                                                    {"BURLEY", 0.01f, 0.02}}) {
         const Estimate little =
             seen(ball_in_white_world(below(method, color, V3f(radius))), 20000);
-        EXPECT_NEAR(little.mean, diffuse.mean, 4.0 * little.standard_error + 0.02) << method;
+        EXPECT_NEAR(little.mean, diffuse.mean, 4.0 * little.standard_error + fit_error) << method;
     }
 }
 

@@ -189,6 +189,25 @@ TEST(Curves, radii_grow_with_the_object)
     }
 }
 
+TEST(Curves, a_strand_in_a_stretched_object_has_an_ellipses_normals)
+{
+    M44d stretched;
+    stretched.setScale(V3d(1.0, 3.0, 1.0));
+    // It occurs twice, so the accelerator holds it as it is in its object.
+    const SceneData data =
+        placed(pole(StrandShape::Round), {stretched, scaled(1.0, {0.0, 50.0, 0.0})});
+    const Scene scene(data, V3d(0.0));
+    for (const float side : {-1.2f, 0.3f, 0.9f}) {
+        const auto hit = scene.intersect(across(side, 0.3f));
+        ASSERT_TRUE(hit) << side;
+        // x^2 + y^2 / 9 = 1 / 4, and its gradient.
+        const float x = -std::sqrt(0.25f - side * side / 9.0f);
+        EXPECT_NEAR(hit->p_world.x, x, 1e-3f) << side;
+        EXPECT_LT((hit->point.ng - V3f(x, side / 9.0f, 0.0f).normalized()).length(), 5e-3f)
+            << side;
+    }
+}
+
 TEST(Curves, a_strand_tells_where_it_was_hit)
 {
     Curves curves = pole(StrandShape::Round);

@@ -41,6 +41,7 @@ public:
                       .look = {},
                       .visibility = {},
                       .matte = {},
+                      .links = {},
                       .emitters = {}};
     }
     Placed(const Placed&) = delete;

@@ -148,6 +148,23 @@ TEST(LayerWeightNode, fresnel_has_the_index_that_the_blend_leaves)
     }
 }
 
+TEST(WireframeNode, pixels_on_a_slant_are_as_wide_as_two_steps_on_average)
+{
+    MadeUpHit hit;
+    // Along one of the steps: it is foreshortened to half, and the other not at all.
+    const ShadingPoint point{
+        .wo = direction_at(60.0, -45.0), .ng = up, .ns = up, .footprint = 0.01f};
+    const auto is_wire = [&](float to_edge) {
+        hit.to_edge = to_edge;
+        return AskedNode{.type = "WIREFRAME",
+                         .options = {{"use_pixel_size", 1.0}},
+                         .inputs = {{"Size", V3f(2.0f)}}}("Fac", hit, point)
+                   .x == 1.0f;
+    };
+    EXPECT_TRUE(is_wire(0.0074f));
+    EXPECT_FALSE(is_wire(0.0076f));
+}
+
 TEST(WireframeNode, is_as_wide_as_it_says_over_both_triangles_of_an_edge)
 {
     MadeUpHit hit;

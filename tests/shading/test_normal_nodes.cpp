@@ -208,15 +208,6 @@ TEST(BumpNode, is_the_normal_of_the_surface_that_is_lifted)
     }
 }
 
-TEST(BumpNode, a_flat_height_leaves_a_normal_as_long_as_it_is)
-{
-    const MadeUpHit hit;
-    const V3f long_normal(0.0f, 0.6f, 2.4f);
-    const AskedNode bump{.type = "BUMP",
-                         .inputs = {{"Height", V3f(0.5f)}, {"Normal", long_normal}}};
-    EXPECT_EQ(bump("Normal", hit, flat_point), long_normal);
-}
-
 TEST(BumpNode, strength_is_how_far_the_normal_goes)
 {
     const HeightField hit(waves, {0.2f, 0.1f});

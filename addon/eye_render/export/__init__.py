@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import bpy
 
-from .. import core, passes
+from .. import compat, core, passes
 from ..cryptomatte import MatteNames
 from ..working_space import working_space
 from .image import ImageTable
@@ -13,6 +13,8 @@ from .light import LightTable
 from .material import MaterialTable
 from .motion import Motion
 from .world import export_world
+
+_OCCLUSION_DISTANCE_WITHOUT_WORLD = 10.0  # Blender units, as in Cycles
 
 
 def export_scene(
@@ -29,14 +31,16 @@ def export_scene(
     core_scene = core.require().Scene(working_space=working_space(warn))
     images = ImageTable(core_scene, depsgraph.scene_eval.frame_current, warn)
     view_layer = depsgraph.view_layer_eval
-    world = depsgraph.scene_eval.world
+    world = compat.world_of(depsgraph.scene_eval, view_layer)
     materials = MaterialTable(
         core_scene,
         images,
         view_layer.material_override,
         warn,
         passes.aovs(view_layer),
-        occlusion_distance=world.light_settings.distance if world else 0.0,
+        occlusion_distance=(
+            world.light_settings.distance if world else _OCCLUSION_DISTANCE_WITHOUT_WORLD
+        ),
     )
     lights = LightTable(core_scene, images, warn)
     names = MatteNames(set(), materials.names, set())

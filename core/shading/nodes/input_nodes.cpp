@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace eye_render {
 
@@ -91,16 +90,16 @@ void layer_weight(const NodeInputs& in, std::span<NodeValue> out)
     }
 }
 
-// Of a pixel, as it lies on the surface and is seen from the eye: as wide as the narrower of two
-// steps, whose directions are Cycles'.
+// Of a pixel, as it lies on the surface and is seen from the eye: the mean of two steps, whose
+// directions are Cycles'.
 [[nodiscard]] float pixel_width(const Hit& hit)
 {
     const V3f& wo = hit.point.wo;
-    float narrowest = std::numeric_limits<float>::max();
+    float sum = 0.0f;
     for (const V3f& step : bump_offsets(hit.point, hit.attributes.position_world())) {
-        narrowest = std::min(narrowest, (step - wo * wo.dot(step)).length());
+        sum += (step - wo * wo.dot(step)).length();
     }
-    return narrowest;
+    return 0.5f * sum;
 }
 
 class WireframeNode final : public ValueNode {

@@ -94,10 +94,6 @@ public:
             // By reference: what it captures is more than std::function holds without the heap.
             hit.attributes.moved(offsets[static_cast<std::size_t>(i)], std::ref(look));
         }
-        if (rise == V2f(0.0f)) {
-            out[0] = normal;  // however long, as in Cycles
-            return;
-        }
         const V3f bumped = bumped_normal(normal, offsets, rise);
         out[0] = unit_or(normal + (bumped - normal) * strength, normal);
     }

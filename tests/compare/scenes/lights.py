@@ -279,6 +279,13 @@ def in_a_mirror():
     lamp("SUN", 1.0, (0.0, -1.0, 3.0), angle=0.3)
 
 
+@feature()
+def negative():
+    """A lamp of negative energy, which takes light away beside a sun"""
+    lit_by("SUN", 3.0, angle=0.2)
+    lamp("POINT", -60.0, (1.2, -1.6, 1.6), shadow_soft_size=0.2)
+
+
 @feature(bounces=1)
 def negative_in_a_mirror():
     """What a mirror shows of an area lamp of negative energy, in front of a bright sky"""

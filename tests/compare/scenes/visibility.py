@@ -98,10 +98,3 @@ def panel_hidden_from_diffuse():
 def panel_hidden_from_glossy():
     """A shining mesh that metal does not mirror"""
     panel(glossy=True)
-
-
-@feature()
-def negative():
-    """A lamp of negative energy, which takes light away beside a sun"""
-    lit_by("SUN", 3.0, angle=0.2)
-    lamp("POINT", -60.0, (1.2, -1.6, 1.6), shadow_soft_size=0.2)
