@@ -52,9 +52,9 @@ constexpr Matrix inverse(const Matrix& m)
     const double determinant =
         m[0][0] * cofactor(0, 0) + m[0][1] * cofactor(0, 1) + m[0][2] * cofactor(0, 2);
     Matrix result{};
-    for (std::size_t row = 0; row < 3; ++row) {
-        for (std::size_t column = 0; column < 3; ++column) {
-            result[row][column] = cofactor(column, row) / determinant;
+    for (std::size_t i = 0; i < 3; ++i) {
+        for (std::size_t j = 0; j < 3; ++j) {
+            result[j][i] = cofactor(i, j) / determinant;
         }
     }
     return result;
