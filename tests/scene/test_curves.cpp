@@ -26,7 +26,7 @@ Curves pole(StrandShape shape, float root_radius = 0.5f, float tip_radius = 0.5f
     return curves;
 }
 
-SceneData placed(Geometry geometry, std::vector<M44d> places = {M44d()})
+SceneData placed(Geometry geometry, const std::vector<M44d>& places = {M44d()})
 {
     SceneData data;
     data.geometries.push_back(std::move(geometry));
